@@ -1,0 +1,38 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_COMPAT_HPP
+#define OPENCV_GMLPNP_COMPAT_HPP
+
+// Everything that differs between the OpenCV versions this module serves stands here and nowhere else.
+
+#include <opencv2/core.hpp>
+#include <opencv2/core/version.hpp>
+
+#if CV_VERSION_MAJOR >= 5
+#include <opencv2/geometry.hpp>  // solvePnP and friends moved here
+#else
+#include <opencv2/calib3d.hpp>
+#endif
+
+namespace cv {
+namespace gmlpnp {
+
+// The flags of cv::solvePnP, so that replacing `cv::` by `cv::gmlpnp::` compiles for each of them.
+using cv::SOLVEPNP_AP3P;
+using cv::SOLVEPNP_EPNP;
+using cv::SOLVEPNP_IPPE;
+using cv::SOLVEPNP_IPPE_SQUARE;
+using cv::SOLVEPNP_ITERATIVE;
+using cv::SOLVEPNP_P3P;
+using cv::SOLVEPNP_SQPNP;
+#if CV_VERSION_MAJOR < 5
+using cv::SOLVEPNP_DLS;
+using cv::SOLVEPNP_UPNP;
+#endif
+
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_COMPAT_HPP
