@@ -1,0 +1,189 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_HPP
+#define OPENCV_GMLPNP_HPP
+
+#include "opencv2/gmlpnp/camera.hpp"
+#include "opencv2/gmlpnp/compat.hpp"
+
+/**
+@defgroup gmlpnp Generalized Maximum Likelihood Perspective-n-Point
+
+The camera pose *and* the noise of the data from n object points and their pixels, for any lens, without a prior
+@cite zhan2024gmlpnp. The model, in the camera frame:
+
+    X_i = R p_i + t,   X_i = s_i m_i + noise of covariance  S_i = R Sigma R^T + s_i^2 Gamma
+
+with object points p_i, unit rays m_i, depths s_i > 0, object noise Sigma (3x3, object frame, length^2) and bearing
+noise Gamma (3x3, camera frame, rad^2). R, t turn object coordinates into camera coordinates, as everywhere in OpenCV.
+
+Conventions: lengths are the caller's; angles are radians; pixels are OpenCV's. Where the data do not give a pose
+(too few points, collinear points, NaN) the functions return false and Result::status says why; nothing else is
+written. Misuse (shapes, types, sizes, unknown flags) throws cv::Exception with OpenCV's codes and names the argument.
+Equal input gives equal output, bit for bit, from any thread.
+
+Qualify each call: an unqualified `solvePnP(...)` under using-directives is ambiguous with cv::solvePnP.
+*/
+
+namespace cv {
+namespace gmlpnp {
+
+//! @addtogroup gmlpnp
+//! @{
+
+/** @brief The estimators of this module; also flags of cv::gmlpnp::solvePnP. */
+enum Method
+{
+    SOLVEPNP_GMLPNP = 100,          //!< Algorithm 1 of the paper: object noise only, depths profiled out
+    SOLVEPNP_GMLPNP_MARGINAL = 101  //!< depths integrated out, object and bearing noise (default)
+};
+
+/** @brief What became of a call. Converged and max rounds are successes: the functions return true. */
+enum Status
+{
+    STATUS_CONVERGED = 0,   //!< the last round changed the cost by less than the tolerance
+    STATUS_MAX_ROUNDS,      //!< all rounds used; the pose is good, the noise may still move
+    STATUS_TOO_FEW_POINTS,  //!< fewer than 4 points with a ray (3 with a guess)
+    STATUS_DEGENERATE,      //!< collinear or coinciding points or rays, or no pose with points in front
+    STATUS_NOT_FINITE,      //!< NaN or infinity in points, pixels, rays or guess
+    STATUS_NO_CONSENSUS     //!< reserved for RANSAC
+};
+
+/** @brief Options of a solve. Every field has a sensible default. */
+struct CV_EXPORTS_W_SIMPLE Params
+{
+    CV_WRAP Params();
+
+    CV_PROP_RW int method;     //!< one of #Method (default #SOLVEPNP_GMLPNP_MARGINAL)
+    CV_PROP_RW int maxRounds;  //!< noise/pose rounds at most; 0: the method's own default (5 published, 20 marginal)
+    //! Marginal: change of the cost L [nat] below which a round is the last (default 1). 0: run all rounds.
+    //! The published method has its own criterion, the relative change of its covariance.
+    CV_PROP_RW double tolerance;
+    CV_PROP_RW bool useExtrinsicGuess;  //!< start at (rvec, tvec) instead of the global solver (default false)
+    CV_PROP_RW Vec3d rvec;              //!< guess: rotation vector, rad, object to camera
+    CV_PROP_RW Vec3d tvec;              //!< guess: translation, the caller's length
+    //! Known object noise Sigma, 3x3 positive semidefinite, object frame, length^2 (GMLPnP* of Proposition 1).
+    //! Empty: estimated.
+    CV_PROP_RW Mat objectNoise;
+    //! Known bearing noise Gamma, 3x3 positive semidefinite, camera frame, rad^2. Empty: estimated by the marginal
+    //! method, zero in the published one.
+    CV_PROP_RW Mat bearingNoise;
+};
+
+/** @brief A pose with its noise and its uncertainty. */
+struct CV_EXPORTS_W_SIMPLE Result
+{
+    CV_WRAP Result();
+
+    CV_PROP_RW int status;  //!< one of #Status
+    CV_PROP_RW int rounds;  //!< passes over the points that moved pose and noise
+    //! Negative log-likelihood at the returned values, L = 1/2 sum_i (log D_i + c_i), D_i the determinant of the
+    //! 2x2 tangent covariance of point i, c_i its squared Mahalanobis residual; nat.
+    CV_PROP_RW double cost;
+    CV_PROP_RW Vec3d rvec;  //!< rotation vector, rad: X = R p + t
+    CV_PROP_RW Vec3d tvec;  //!< translation, the caller's length
+    //! 6x6 covariance of the left perturbation (phi, delta): R_true = Exp(phi) R, t_true = Exp(phi) t + delta;
+    //! rad and length. Empty where the data leave no residual to judge it by (three points).
+    CV_PROP_RW Mat poseCovariance;
+    CV_PROP_RW Mat poseCovarianceRt;        //!< 6x6 covariance of (rvec, tvec); empty as above
+    CV_PROP_RW Vec3d cameraCenter;          //!< -R^T t, object frame, length
+    CV_PROP_RW Mat cameraCenterCovariance;  //!< 3x3, object frame, length^2; empty as above
+    CV_PROP_RW Mat objectNoise;             //!< Sigma, 3x3, object frame, length^2: estimated, or as given
+    CV_PROP_RW Mat bearingNoise;            //!< Gamma, 3x3, camera frame, rad^2: estimated, or as given
+    //! Numerical rank of objectNoise. The published covariance collapses (a direction a round, Neyman-Scott): less
+    //! than 3 means that objectNoise is no estimate of the noise along its null space.
+    CV_PROP_RW int objectNoiseRank;
+    CV_PROP_RW int usedPoints;  //!< points that had a ray
+};
+
+/** @brief Pose and noise from object points and pixels of any camera.
+
+The pose needs no guess: a global solver on the rays starts it. Then Gauss-Newton on se(3) and the noise update
+alternate, one pass over the points per round (Algorithm 1 of @cite zhan2024gmlpnp, or its marginal form).
+
+@param objectPoints N points, object frame: Nx3, Nx1 or 1xN with 3 channels, vector of points; float or double.
+@param imagePoints N pixels: Nx2, Nx1 or 1xN with 2 channels, vector of points; float or double. Pixels that have no
+ray are left out; Result::usedPoints counts the rest.
+@param camera the lens.
+@param result pose, noise, uncertainty; on failure only Result::status is written.
+@param params options.
+@return true with a finite pose, or false and the reason in Result::status.
+@throws cv::Exception StsAssert or StsBadArg for misuse, naming the argument. */
+CV_EXPORTS_W bool solve(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
+                        CV_OUT Result& result, const Params& params = Params());
+
+/** @overload
+@param objectPoints N points, object frame.
+@param imagePoints N pixels.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients, as in CameraModel::pinhole.
+@param result pose, noise, uncertainty.
+@param params options. */
+CV_EXPORTS_W bool solve(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
+                        CV_OUT Result& result, const Params& params = Params());
+
+/** @brief Pose and noise from object points and rays: any camera, any direction, also behind the image plane.
+@param objectPoints N points, object frame.
+@param rays N rays in the camera frame, Nx3, Nx1 or 1xN with 3 channels or vector; normalised inside.
+@param result pose, noise, uncertainty; on failure only Result::status is written.
+@param params options.
+@return true with a finite pose, or false and the reason in Result::status. A ray of length zero is not finite.
+@throws cv::Exception StsAssert or StsBadArg for misuse, naming the argument. */
+CV_EXPORTS_W bool solveRays(InputArray objectPoints, InputArray rays, CV_OUT Result& result,
+                            const Params& params = Params());
+
+/** @brief Drop-in for cv::solvePnP: the same parameters in the same order.
+
+With #SOLVEPNP_GMLPNP and #SOLVEPNP_GMLPNP_MARGINAL any four or more points will do, coplanar or not (three with a
+guess), in every array layout, and a guess is honoured. All flags of OpenCV are forwarded to cv::solvePnP.
+
+@param objectPoints N points, object frame: Nx3, Nx1 or 1xN with 3 channels, vector of points; float or double.
+@param imagePoints N pixels: Nx2, Nx1 or 1xN with 2 channels, vector of points; float or double.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients; inverted to convergence.
+@param rvec output rotation vector, 3x1: X = R p + t. CV_64F, or the depth of the array that was passed.
+@param tvec output translation, 3x1, likewise.
+@param useExtrinsicGuess start at the given rvec, tvec.
+@param flags one of #Method, or any flag of cv::solvePnP.
+@return true with a finite pose; false with rvec and tvec untouched where the data give none.
+@throws cv::Exception StsAssert (-215) for wrong shapes, types and counts, StsBadArg (-5) for an unknown flag. */
+CV_EXPORTS_W bool solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                           InputArray distCoeffs, OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess = false,
+                           int flags = SOLVEPNP_GMLPNP_MARGINAL);
+
+/** @brief The lens of cv::fisheye: Kannala-Brandt, as in CameraModel::fisheye, on the whole sphere. */
+namespace fisheye {
+
+/** @brief Drop-in for cv::fisheye::solvePnP (OpenCV 4.10 and newer): the same parameters in the same order.
+
+The flags of this module work on rays: also at 90 degrees and beyond, where the image plane has no pixel. The flags of
+OpenCV get the pixels undistorted to the image plane of cameraMatrix, and so need all rays in front of the camera.
+
+@param objectPoints N points, object frame: Nx3, Nx1 or 1xN with 3 channels, vector of points; float or double.
+@param imagePoints N pixels: Nx2, Nx1 or 1xN with 2 channels, vector of points; float or double. Our flags leave out
+pixels that have no ray.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs k1, k2, k3, k4, or none.
+@param rvec output rotation vector, 3x1: X = R p + t. CV_64F, or the depth of the array that was passed.
+@param tvec output translation, 3x1, likewise.
+@param useExtrinsicGuess start at the given rvec, tvec.
+@param flags one of #Method, or any flag of cv::solvePnP.
+@param criteria not used: the lens is inverted to convergence.
+@return true with a finite pose; false with rvec and tvec untouched where the data give none.
+@throws cv::Exception StsAssert (-215) for wrong shapes, types and counts, StsBadArg (-5) for an unknown flag, and for
+a flag of OpenCV with a pixel that has no ray in front of the camera. */
+CV_EXPORTS_W bool solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                           InputArray distCoeffs, OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess = false,
+                           int flags = SOLVEPNP_GMLPNP_MARGINAL,
+                           TermCriteria criteria = TermCriteria(TermCriteria::MAX_ITER + TermCriteria::EPS, 10, 1e-8));
+
+}  // namespace fisheye
+
+//! @}
+
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_HPP

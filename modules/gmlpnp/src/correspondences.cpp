@@ -1,0 +1,76 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "precomp.hpp"
+
+#include "correspondences.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+namespace {
+
+using RowPoints = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>;
+
+RowPoints asEigen(const Mat_<double>& points)
+{
+    return RowPoints(points[0], points.rows, 3);
+}
+
+// Spread of the points across the best line through them, relative to the spread along it. Collinear points given in
+// single precision come out near 1e-7, so nothing below this can be told from a line.
+constexpr double COLLINEAR = 1e-6;
+
+// The same for rays: all within this angle [rad] of each other.
+constexpr double PARALLEL = 1e-9;
+
+}  // namespace
+
+bool finite(const Mat_<double>& objectPoints, const Mat_<double>& rays)
+{
+    const RowPoints p = asEigen(objectPoints), m = asEigen(rays);
+    // The sum of squares is finite for anything below 1e150 and not for NaN and infinity.
+    return std::isfinite(p.squaredNorm()) && std::isfinite(m.squaredNorm()) && m.rowwise().squaredNorm().minCoeff() > 0;
+}
+
+Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays)
+    : columns(objectPoints.rows, 6)
+{
+    const RowPoints p = asEigen(objectPoints), m = asEigen(rays);
+    centre = p.colwise().mean().transpose();
+    columns.leftCols<3>() = p.rowwise() - centre.transpose();
+    columns.rightCols<3>() = m.rowwise().normalized();
+    scale = std::sqrt(columns.leftCols<3>().rowwise().squaredNorm().mean());
+    if (scale > 0)
+        columns.leftCols<3>() /= scale;
+}
+
+bool Correspondences::degenerate() const
+{
+    if (!(scale > 0) || !std::isfinite(scale))
+        return true;
+    const auto points = columns.leftCols<3>();
+    const Vector3d spread = Eigen3d(Matrix3d(points.transpose() * points), Eigen::EigenvaluesOnly).eigenvalues();
+    // Rounding of coordinates far from the origin looks like spread too.
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * centre.norm() / scale;
+    const double line = std::max(COLLINEAR, rounding);
+    const double widest =
+        (columns.rightCols<3>().rowwise() - columns.row(0).tail<3>()).rowwise().squaredNorm().maxCoeff();
+    return spread(1) <= line * line * spread(2) || widest <= PARALLEL * PARALLEL;
+}
+
+Pose Correspondences::toObject(const Pose& normalised) const
+{
+    return {normalised.R, scale * normalised.t - normalised.R * centre};
+}
+
+Pose Correspondences::fromObject(const Pose& pose) const
+{
+    return {pose.R, (pose.t + pose.R * centre) / scale};
+}
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv

@@ -1,0 +1,50 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_CORRESPONDENCES_HPP
+#define OPENCV_GMLPNP_CORRESPONDENCES_HPP
+
+#include "spd3.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** Object points and unit rays as a structure of arrays, points centred and scaled:  p = centre + scale * p'.
+
+The solver works on p' alone (UTM, ECEF and millimetres then look the same); toObject() and its kin undo it:
+X = R p + t = scale (R p' + t'),  so  t = scale t' - R centre,  delta = scale delta',  Sigma = scale^2 Sigma'. */
+class Correspondences
+{
+public:
+    /** Both N x 3; rays need not be unit. Inputs must be finite (see finite()). */
+    CV_EXPORTS Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays);
+
+    int size() const { return static_cast<int>(columns.rows()); }
+    const double* point(int axis) const { return columns.col(axis).data(); }
+    const double* ray(int axis) const { return columns.col(3 + axis).data(); }
+    Vector3d pointAt(int i) const { return columns.row(i).head<3>(); }
+    Vector3d rayAt(int i) const { return columns.row(i).tail<3>(); }
+
+    /** Whether no pose can follow: points on one line or at one place, or rays all in one direction. */
+    CV_EXPORTS bool degenerate() const;
+
+    CV_EXPORTS Pose toObject(const Pose& normalised) const;
+    CV_EXPORTS Pose fromObject(const Pose& pose) const;
+
+    Vector3d centre;
+    double scale;  //!< root mean square distance of the points from their centre, the caller's length
+
+private:
+    Eigen::Matrix<double, Eigen::Dynamic, 6> columns;  // px py pz mx my mz
+};
+
+/** Whether every number is finite and no ray is zero. */
+CV_EXPORTS bool finite(const Mat_<double>& objectPoints, const Mat_<double>& rays);
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_CORRESPONDENCES_HPP

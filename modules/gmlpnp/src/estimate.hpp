@@ -1,0 +1,65 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_ESTIMATE_HPP
+#define OPENCV_GMLPNP_ESTIMATE_HPP
+
+#include "noise_model.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** When the alternation ends. */
+struct Stopping
+{
+    int maxRounds;
+    double tolerance;  //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
+};
+
+/** Change of L [nat] that no longer matters: a tenth of a nat moves the pose by a fraction of its standard deviation.
+ */
+constexpr double DEFAULT_TOLERANCE = 0.1;
+
+/** The published algorithm needs its few rounds: its covariance only collapses further. */
+inline Stopping defaultStopping(bool published)
+{
+    return published ? Stopping{5, 1e-5} : Stopping{20, DEFAULT_TOLERANCE};
+}
+
+struct Estimate
+{
+    Pose pose;
+    Noise noise;
+    NoiseKind kind = NoiseKind::FIXED;
+    RaySums sums;  //!< at pose and noise
+    int rounds = 0;
+    bool converged = false;
+};
+
+/** The alternation: one Gauss-Newton step for the pose and one update of the noise from the sums of one pass. */
+CV_EXPORTS Estimate alternate(const Correspondences& data, const Pose& start, const Noise& noise, NoiseKind kind,
+                              const Stopping& stopping);
+
+/** The pose of least  sum |v_i|^2  near `start`. */
+CV_EXPORTS Pose isotropicPose(const Correspondences& data, const Pose& start);
+
+/** A known noise in the solver's units; none: estimated. */
+using KnownNoise = std::optional<Matrix3d>;
+
+/** Algorithm 1 of the paper from a pose of isotropic noise. With a known Sigma its Proposition 1 (GMLPnP*). Gamma is
+zero unless given. */
+CV_EXPORTS Estimate estimatePublished(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
+                                      const KnownNoise& Gamma, const Stopping& stopping);
+
+/** Marginal likelihood over pose, Sigma and Gamma, from a pose of isotropic noise. Of object noise, bearing noise and
+both, the evidence chooses. */
+CV_EXPORTS Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
+                                     const KnownNoise& Gamma, const Stopping& stopping);
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_ESTIMATE_HPP

@@ -1,0 +1,32 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_INITIAL_POSE_HPP
+#define OPENCV_GMLPNP_INITIAL_POSE_HPP
+
+#include "correspondences.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** A local minimum of the isotropic object-space cost  sum_i |m_i x (R p_i + t)|^2. */
+struct PoseCandidate
+{
+    Pose pose;
+    double cost;
+};
+
+/** All distinct minima with most points in front of the camera, best first, whose cost is within
+INITIAL_COST_RATIO of the best; empty where there is none. No guess is needed; any direction of the rays will do. */
+CV_EXPORTS std::vector<PoseCandidate> initialPoses(const Correspondences& data);
+
+/** Minima up to this ratio to the best cost are kept: noise may have swapped them. */
+constexpr double INITIAL_COST_RATIO = 1.1;
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_INITIAL_POSE_HPP

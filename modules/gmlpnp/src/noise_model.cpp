@@ -1,0 +1,105 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "precomp.hpp"
+
+#include "noise_model.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+Matrix3d publishedUpdate(const Matrix3d& C, const Matrix3d& Z, int n)
+{
+    return symmetrised(C * Z * C) / n;
+}
+
+Matrix3d emUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, int n)
+{
+    return symmetrised(C + C * (Z - G) * C / n);
+}
+
+Matrix3d mmUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G)
+{
+    // A narrow view does not observe the direction of the rays: G is nearly singular there.
+    constexpr double OBSERVED = 1e-12;
+    const Matrix3d rootG = squareRoot(floored(G, OBSERVED));
+    const Matrix3d inverseRootG = rootG.inverse();
+    return symmetrised(inverseRootG * squareRoot(symmetrised(rootG * C * Z * C * rootG)) * inverseRootG);
+}
+
+Matrix3d shrunk(const Matrix3d& C, double n, double kappa)
+{
+    const double mean = C.trace() / 3;
+    const Matrix3d drawn = (n * C + kappa * mean * Matrix3d::Identity()) / (n + kappa);
+    return floored(drawn, RELATIVE_FLOOR) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
+}
+
+namespace {
+
+constexpr int SPLIT_REWEIGHTINGS = 4;
+constexpr double SPLIT_FLOOR = 1e-3;  // smallest share of a noise in the split, of what it would be alone
+
+struct Line
+{
+    double a, b;
+};
+
+// Weighted least squares of y on a + b x, both coefficients at least their floors: where one is not, it is set there
+// and the other refitted; left alone, the sum comes out 2-3 times too large at nearly equal depths.
+Line fitLine(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, const Line& before, const Line& floor)
+{
+    const Eigen::ArrayXd w = (before.a + before.b * x).square().inverse();
+    const double W = w.sum(), Wx = (w * x).sum(), Wxx = (w * x * x).sum(), Wy = (w * y).sum(), Wxy = (w * x * y).sum();
+    const double det = W * Wxx - Wx * Wx;
+    const bool equalDepths = !(det > 1e-9 * W * Wxx);
+    Line line = equalDepths ? Line{Wy / W, 0} : Line{(Wxx * Wy - Wx * Wxy) / det, (W * Wxy - Wx * Wy) / det};
+    if (line.b < floor.b)
+        line = {std::max((Wy - floor.b * Wx) / W, floor.a), floor.b};
+    else if (line.a < floor.a)
+        line = {floor.a, std::max((Wxy - floor.a * Wx) / Wxx, floor.b)};
+    return line;
+}
+
+}  // namespace
+
+ResidualSplit splitResiduals(const Correspondences& data, const Pose& pose)
+{
+    const int n = data.size();
+    Eigen::ArrayXd depth2(n), residual2(n);
+    for (int i = 0; i < n; ++i) {
+        const Vector3d X = pose * data.pointAt(i), m = data.rayAt(i);
+        const double s = m.dot(X);
+        depth2(i) = std::max(s * s, NOISE_FLOOR);
+        residual2(i) = 0.5 * m.cross(X).squaredNorm() + NOISE_FLOOR * NOISE_FLOOR;
+    }
+    const double aOnly = residual2.mean(), bOnly = (residual2 / depth2).mean();
+    Line line{aOnly / 2, bOnly / 2};
+    for (int k = 0; k < SPLIT_REWEIGHTINGS; ++k)
+        line = fitLine(depth2, residual2, line, {SPLIT_FLOOR * aOnly, SPLIT_FLOOR * bOnly});
+    const double freedom = 2. * n / std::max(2 * n - 6, 1);  // the pose took six of the 2n residual coordinates
+    return {freedom * line.a, freedom * line.b, freedom * aOnly, freedom * bOnly, depth2.mean()};
+}
+
+Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R, int n)
+{
+    Noise next = noise;
+    if (kind == NoiseKind::FIXED)
+        return next;
+    const auto toObject = [&R](const Matrix3d& M) { return Matrix3d(R.transpose() * M * R); };
+    if (kind == NoiseKind::PUBLISHED) {
+        next.Sigma = publishedUpdate(noise.Sigma, toObject(sums.Zo), n);
+        next.Sigma = floored(next.Sigma, 1e-12) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
+        return next;
+    }
+    if (kind != NoiseKind::BEARING)
+        next.Sigma = shrunk(mmUpdate(noise.Sigma, toObject(sums.Zo), toObject(sums.Go)), n, SHRINKAGE);
+    if (kind != NoiseKind::OBJECT)
+        next.Gamma = shrunk(mmUpdate(noise.Gamma, sums.Zb, sums.Gb), n, SHRINKAGE);
+    return next;
+}
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv

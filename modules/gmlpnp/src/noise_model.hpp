@@ -1,0 +1,61 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_NOISE_MODEL_HPP
+#define OPENCV_GMLPNP_NOISE_MODEL_HPP
+
+#include "ray_pass.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+// All of this is in the solver's units: points centred and scaled to a root mean square distance of 1.
+
+/** Smallest standard deviation a noise may have: exact data must not divide by zero. */
+constexpr double NOISE_FLOOR = 1e-12;
+/** Smallest eigenvalue of an estimated covariance, relative to its largest. */
+constexpr double RELATIVE_FLOOR = 1e-8;
+/** Weight of the isotropic prior in points: C <- (n C + kappa tr(C)/3 I) / (n + kappa). */
+constexpr double SHRINKAGE = 2;
+
+/** Algorithm 1's covariance, (1/n) sum e e^T with the residuals e = C z  (Eq. (7) of the paper). */
+CV_EXPORTS Matrix3d publishedUpdate(const Matrix3d& C, const Matrix3d& Z, int n);
+
+/** EM step of the marginal likelihood: C + C (Z - G) C / n. Always SPD, never raises L, slow. */
+CV_EXPORTS Matrix3d emUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, int n);
+
+/** MM step: the C' with C' G C' = C Z C, which minimises a majorant of L. SPD, never raises L, fast. */
+CV_EXPORTS Matrix3d mmUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G);
+
+/** C drawn towards its isotropic part with the weight of kappa points, then floored. */
+CV_EXPORTS Matrix3d shrunk(const Matrix3d& C, double n, double kappa);
+
+/** Isotropic variances from the residuals at an isotropic pose: E 1/2 |v|^2 = a + b s^2. */
+struct ResidualSplit
+{
+    double a, b;          //!< both noises: a [length^2], b [rad^2]
+    double aOnly, bOnly;  //!< object noise alone, bearing noise alone
+    double meanDepth2;    //!< mean s^2 [length^2]
+};
+CV_EXPORTS ResidualSplit splitResiduals(const Correspondences& data, const Pose& pose);
+
+/** Which noises are estimated. */
+enum class NoiseKind
+{
+    FIXED,
+    PUBLISHED,
+    OBJECT,
+    BEARING,
+    BOTH
+};
+
+/** Noise of the next round. */
+CV_EXPORTS Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R, int n);
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_NOISE_MODEL_HPP

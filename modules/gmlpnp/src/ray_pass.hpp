@@ -1,0 +1,67 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_RAY_PASS_HPP
+#define OPENCV_GMLPNP_RAY_PASS_HPP
+
+#include "correspondences.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** Noise of the data: S_i = R Sigma R^T + s_i^2 Gamma. */
+struct Noise
+{
+    Matrix3d Sigma = Matrix3d::Zero();  //!< object noise, object frame, length^2
+    Matrix3d Gamma = Matrix3d::Zero();  //!< bearing noise, camera frame, rad^2
+};
+
+/** What one correspondence says at a pose and a noise (doc/theory.md, section 2); the depth is eliminated. */
+struct PointTerms
+{
+    Vector3d X;       //!< R p + t, camera frame
+    double s;         //!< depth along the ray, m^T X
+    double D;         //!< determinant of the tangent covariance, m^T adj(S) m
+    double c;         //!< squared Mahalanobis residual, 2 degrees of freedom
+    Vector3d z;       //!< Q X
+    Vector3d zTilde;  //!< gradient of c/2 with respect to X, the dependence of S on s included
+    Vector3d Xhat;    //!< X - R Sigma R^T z: the point without its estimated object noise
+    Matrix3d Q;       //!< information of the ray about X, rank 2, Q m = 0
+};
+
+/** Where the rotation acts in J = [ -[lever]_x , I ]. A rotation turns R Sigma R^T too; with that, the gradient of c/2
+is Xhat x z in place of X x z. The difference has a mean that does not shrink with n where Sigma is anisotropic, and a
+lever arm that carries noise makes H too large. Algorithm 1 as published takes the points as they are. */
+enum class LeverArm
+{
+    AS_GIVEN,
+    CORRECTED
+};
+
+/** Sums over the points that a round needs. */
+struct RaySums
+{
+    Matrix6d H;       //!< sum J^T Q J, Gauss-Newton matrix for xi = (phi, delta)
+    Vector6d g;       //!< sum J^T zTilde, gradient of sum c/2 with respect to xi, through S(R, s)
+    Matrix3d Zo, Go;  //!< sum z z^T, sum Q: for Sigma, camera frame
+    Matrix3d Zb, Gb;  //!< sum s^2 z z^T, sum s^2 Q: for Gamma
+    double L;         //!< 1/2 sum (log D + c), negative log-likelihood, nat
+    double c;         //!< 1/2 sum c
+    int inFront;      //!< points with s > 0
+};
+
+/** Terms of one point; the readable twin of the pass. `S_o` is R Sigma R^T. */
+CV_EXPORTS PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pose& pose, const Matrix3d& S_o,
+                                 const Matrix3d& Gamma);
+
+/** One pass over the points: it reads, it adds, nothing else. No heap. */
+CV_EXPORTS RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise,
+                           LeverArm lever = LeverArm::CORRECTED);
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_RAY_PASS_HPP

@@ -1,0 +1,123 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "test_precomp.hpp"
+
+#include "../src/estimate.hpp"
+#include "../src/initial_pose.hpp"
+#include "scenes.hpp"
+
+namespace opencv_test {
+namespace {
+
+using namespace cv::gmlpnp::detail;
+
+struct Problem
+{
+    Correspondences data;
+    Pose start;
+};
+
+Problem problem(const Scene& scene)
+{
+    const Correspondences data(scene.objectPoints, scene.rays);
+    return {data, initialPoses(data).at(0).pose};
+}
+
+// Pixels of a flat-on object of +-30 px, or of depth 0.5 to 5 m, or object noise: what the data are made of is chosen.
+Scene bearingScene(cv::RNG& rng, int n, double pixels)
+{
+    std::vector<Vector3d> points(n);
+    for (Vector3d& X : points) {
+        const double z = 0.5 * std::pow(10., rng.uniform(0., 1.));
+        X = z * Vector3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), 1);
+    }
+    Scene scene = exactScene(rng, points);
+    for (int i = 0; i < n; ++i) {
+        scene.imagePoints(i, 0) += rng.gaussian(pixels);
+        scene.imagePoints(i, 1) += rng.gaussian(pixels);
+        const Vector3d m((scene.imagePoints(i, 0) - 320) / 800, (scene.imagePoints(i, 1) - 240) / 800, 1);
+        for (int k = 0; k < 3; ++k)
+            scene.rays(i, k) = m(k) / m.norm();
+    }
+    return scene;
+}
+
+TEST(Gmlpnp_Estimate, choosesTheNoiseThatIsThere)
+{
+    cv::RNG rng = testRng();
+    int bearing = 0, object = 0, both = 0;
+    for (int k = 0; k < 40; ++k) {
+        const Problem pixels = problem(bearingScene(rng, 100, 1));
+        bearing +=
+            estimateMarginal(pixels.data, pixels.start, {}, {}, defaultStopping(false)).kind != NoiseKind::OBJECT;
+        const Problem points = problem(paperScene(rng, 200, 0.2, 0));
+        object +=
+            estimateMarginal(points.data, points.start, {}, {}, defaultStopping(false)).kind != NoiseKind::BEARING;
+        Scene mixed = bearingScene(rng, 100, 1);
+        for (int i = 0; i < 100; ++i)
+            for (int a = 0; a < 3; ++a)
+                mixed.objectPoints(i, a) += rng.gaussian(0.002);
+        const Problem mix = problem(mixed);
+        both += estimateMarginal(mix.data, mix.start, {}, {}, defaultStopping(false)).kind == NoiseKind::BOTH;
+    }
+    EXPECT_EQ(40, bearing);
+    EXPECT_GE(object, 37);  // at depths of 4 to 8 the likelihood itself prefers bearings in 1 of 100
+    EXPECT_GE(both, 36);
+}
+
+TEST(Gmlpnp_Estimate, publishedCovarianceCollapsesAndIsFinite)
+{
+    cv::RNG rng = testRng();
+    for (int rounds : {1, 5, 30}) {
+        const Problem p = problem(paperScene(rng, 50, 0.1, 1));
+        const Estimate found = estimatePublished(p.data, p.start, {}, {}, {rounds, 0});
+        EXPECT_EQ(rounds, found.rounds);
+        EXPECT_TRUE(found.noise.Sigma.allFinite());
+        EXPECT_TRUE(found.sums.H.allFinite());
+        EXPECT_EQ(rounds == 1 ? 3 : 2, rank(found.noise.Sigma, 1e-6)) << rounds << " rounds";
+    }
+}
+
+TEST(Gmlpnp_Estimate, knownNoiseEndsAtTheMinimum)
+{
+    cv::RNG rng = testRng();
+    for (int k = 0; k < 20; ++k) {
+        const Scene scene = paperScene(rng, 30, 0.2, 1);
+        const Problem p = problem(scene);
+        const Matrix3d Sigma = scene.Sigma / (p.data.scale * p.data.scale);
+        const Estimate found = estimatePublished(p.data, p.start, Sigma, {}, defaultStopping(false));
+        EXPECT_TRUE(found.converged);
+        // A minimum: the gradient is small against its own spread, which is H.
+        EXPECT_LT(found.sums.g.dot(found.sums.H.ldlt().solve(found.sums.g)), 1e-4);
+    }
+}
+
+TEST(Gmlpnp_Estimate, zeroToleranceRunsAllRounds)
+{
+    cv::RNG rng = testRng();
+    const Problem p = problem(paperScene(rng, 60, 0.1, 1));
+    const Noise start{1e-3 * Matrix3d::Identity(), Matrix3d::Zero()};
+    EXPECT_EQ(13, alternate(p.data, p.start, start, NoiseKind::OBJECT, {13, 0}).rounds);
+    EXPECT_LT(alternate(p.data, p.start, start, NoiseKind::OBJECT, {100, 1}).rounds, 13);
+}
+
+// A start far away: each step that does not fall is halved, so the isotropic cost comes down in the end.
+TEST(Gmlpnp_Estimate, isotropicPoseConvergesFromAfar)
+{
+    cv::RNG rng = testRng();
+    int converged = 0;
+    for (int k = 0; k < 100; ++k) {
+        const Scene scene = exactScene(rng, boxPoints(rng, 20));
+        const Correspondences data(scene.objectPoints, scene.rays);
+        Vector6d off;
+        off << 0.5 * gaussian3(rng).normalized(), gaussian3(rng).normalized();
+        const Pose found = isotropicPose(data, perturbed(data.fromObject(scene.truth), off));
+        converged += bool(poseNear(data.toObject(found), scene.truth, 1e-7, 1e-6));
+    }
+    EXPECT_EQ(100, converged);
+}
+
+}  // namespace
+}  // namespace opencv_test
