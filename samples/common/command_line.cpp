@@ -1,0 +1,67 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "common/command_line.hpp"
+
+#include <exception>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+namespace samples {
+
+namespace {
+
+//! The names that the keys of a cv::CommandLineParser declare: the words before the first bar of each entry.
+std::set<std::string> declaredNames(const std::string& keys)
+{
+    std::set<std::string> names;
+    for (size_t begin = keys.find('{'); begin != std::string::npos; begin = keys.find('{', begin + 1)) {
+        std::istringstream words(keys.substr(begin + 1, keys.find('|', begin) - begin - 1));
+        for (std::string name; words >> name;)
+            names.insert(name);
+    }
+    return names;
+}
+
+std::string optionName(const std::string& argument)
+{
+    const size_t begin = argument.find_first_not_of('-');
+    if (begin == std::string::npos)
+        return std::string();
+    return argument.substr(begin, argument.find('=') - begin);
+}
+
+}  // namespace
+
+int runProgram(int argc, char** argv, const std::string& keys, const std::string& about, size_t fewestFiles,
+               const std::function<int(const Arguments&)>& run)
+{
+    const std::set<std::string> names = declaredNames(keys);
+    std::string unknown;
+    Arguments arguments{cv::CommandLineParser(argc, argv, keys), {}};
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        if (argument[0] != '-')
+            arguments.files.push_back(argument);
+        else if (!names.count(optionName(argument)))
+            unknown = argument;
+    }
+    arguments.options.about(about);
+    const bool help = arguments.options.has("help");
+    if (help || !unknown.empty() || arguments.files.size() < fewestFiles) {
+        if (!unknown.empty())
+            std::cerr << "unknown option " << unknown << std::endl;
+        arguments.options.printMessage();
+        return help ? 0 : 2;
+    }
+    try {
+        return run(arguments);
+    } catch (const std::exception& error) {
+        std::cerr << argv[0] << ": " << error.what() << std::endl;
+        return 1;
+    }
+}
+
+}  // namespace samples

@@ -1,0 +1,59 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef GMLPNP_SAMPLES_CORRESPONDENCES_HPP
+#define GMLPNP_SAMPLES_CORRESPONDENCES_HPP
+
+#include <string>
+#include <vector>
+
+#include "common/pose.hpp"
+
+namespace samples {
+
+/** Object points, their pixels, and what is known about the camera that saw them.
+
+The file, one format for all tools, is text: first words after `#` that mean something, then a row per point.
+
+    # fx fy cx cy 517.3 516.5 318.6 255.3        required
+    # dist 0.2624 -0.9531 -0.0054 0.0026 1.1633  0, 4, 5, 8, 12 or 14 coefficients, as in cv::projectPoints
+    # image_size 640 480                         px
+    # unit m                                     of the object points
+    # true_rvec 0.1 0.2 0.3                      truth, object to camera: X = R p + t
+    # true_tvec 1 2 3
+    # true_camera_centre 1 2 3                   or the camera in the object frame
+    # true_R_world_from_camera 1 0 0 0 1 0 0 0 1 (9 numbers, row-major)
+    # source where the data come from            any number of lines
+    X Y Z u v
+
+Every other line that starts with `#` is a comment. */
+struct CorrespondenceSet
+{
+    std::string path;
+    cv::Matx33d cameraMatrix = cv::Matx33d::eye();
+    std::vector<double> distCoeffs;
+    cv::Size imageSize;  //!< empty where the file does not say
+    std::string unit;    //!< empty where the file does not say
+    bool hasTruth = false;
+    Pose truth;
+    std::vector<std::string> source;
+    std::vector<cv::Point3d> objectPoints;
+    std::vector<cv::Point2d> imagePoints;
+
+    //! The file's name without folder and extension.
+    std::string name() const;
+};
+
+//! The fewest rows that a pose can be computed from.
+constexpr size_t kMinCorrespondences = 4;
+
+/** Reads a file. @throws std::runtime_error with "file:line: what is wrong" for anything malformed. */
+CorrespondenceSet readCorrespondences(const std::string& path);
+
+/** Writes a file that readCorrespondences() reads back. @throws std::runtime_error where it cannot be written. */
+void writeCorrespondences(const std::string& path, const CorrespondenceSet& set);
+
+}  // namespace samples
+
+#endif  // GMLPNP_SAMPLES_CORRESPONDENCES_HPP

@@ -1,0 +1,117 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "common/feature_matching.hpp"
+
+#include <stdexcept>
+
+#include <opencv2/features2d.hpp>
+#include <opencv2/gmlpnp/compat.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace samples {
+
+namespace {
+
+//! RANSAC draws from cv::theRNG(); seeded for each pair, its result does not depend on the pairs before.
+constexpr int kSeed = 1;
+constexpr int kRansacIterations = 1000;
+constexpr double kRansacConfidence = 0.999;
+
+struct Features
+{
+    std::vector<cv::KeyPoint> keypoints;
+    cv::Mat descriptors;
+};
+
+cv::Mat readImage(const std::string& path, int flags)
+{
+    cv::Mat image = cv::imread(path, flags);
+    if (image.empty())
+        throw std::runtime_error(path + ": cannot be read as an image");
+    return image;
+}
+
+cv::Mat readDepth(const std::string& path)
+{
+    cv::Mat depth = readImage(path, cv::IMREAD_UNCHANGED);
+    if (depth.type() != CV_16UC1)
+        throw std::runtime_error(path + ": a depth image has one channel of 16 bits");
+    return depth;
+}
+
+Features detect(const cv::Mat& image, int count)
+{
+    Features features;
+    cv::ORB::create(count)->detectAndCompute(image, cv::noArray(), features.keypoints, features.descriptors);
+    return features;
+}
+
+std::vector<cv::DMatch> matchMutually(const Features& first, const Features& second)
+{
+    std::vector<cv::DMatch> matches;
+    if (!first.descriptors.empty() && !second.descriptors.empty())
+        cv::BFMatcher(cv::NORM_HAMMING, true).match(first.descriptors, second.descriptors, matches);
+    return matches;
+}
+
+//! Fills the points and pixels of those matches whose first pixel has a depth.
+void lift(const Features& first, const Features& second, const cv::Mat& depth, CorrespondenceSet& set)
+{
+    for (const cv::DMatch& match : matchMutually(first, second)) {
+        const cv::Point2f pixel = first.keypoints[static_cast<size_t>(match.queryIdx)].pt;
+        const double z = depthAt(depth, pixel);
+        if (z <= 0.0)
+            continue;
+        std::vector<cv::Point2d> normalised;
+        cv::undistortPoints(std::vector<cv::Point2d>{pixel}, normalised, set.cameraMatrix, set.distCoeffs);
+        set.objectPoints.emplace_back(z * normalised[0].x, z * normalised[0].y, z);
+        set.imagePoints.push_back(second.keypoints[static_cast<size_t>(match.trainIdx)].pt);
+    }
+}
+
+void keepInliers(double thresholdPixels, CorrespondenceSet& set)
+{
+    if (thresholdPixels <= 0.0 || set.objectPoints.size() < kMinCorrespondences)
+        return;
+    cv::setRNGSeed(kSeed);
+    cv::Vec3d rvec, tvec;
+    std::vector<int> inliers;
+    cv::solvePnPRansac(set.objectPoints, set.imagePoints, set.cameraMatrix, set.distCoeffs, rvec, tvec, false,
+                       kRansacIterations, static_cast<float>(thresholdPixels), kRansacConfidence, inliers,
+                       cv::SOLVEPNP_EPNP);
+    std::vector<cv::Point3d> points;
+    std::vector<cv::Point2d> pixels;
+    for (const int i : inliers) {
+        points.push_back(set.objectPoints[static_cast<size_t>(i)]);
+        pixels.push_back(set.imagePoints[static_cast<size_t>(i)]);
+    }
+    set.objectPoints = points;
+    set.imagePoints = pixels;
+}
+
+}  // namespace
+
+CorrespondenceSet matchFrames(const TumSequence& sequence, const FramePair& pair, const MatchingOptions& options)
+{
+    const RgbdFrame &first = sequence.frames[pair.first], &second = sequence.frames[pair.second];
+    const cv::Mat firstImage = readImage(first.colourFile, cv::IMREAD_GRAYSCALE);
+    const cv::Mat secondImage = readImage(second.colourFile, cv::IMREAD_GRAYSCALE);
+    CorrespondenceSet set;
+    set.cameraMatrix = options.cameraMatrix;
+    set.distCoeffs = options.distCoeffs;
+    set.imageSize = secondImage.size();
+    set.unit = "m";
+    set.hasTruth = true;
+    set.truth = pair.secondFromFirst;
+    lift(detect(firstImage, options.features), detect(secondImage, options.features), readDepth(first.depthFile), set);
+    keepInliers(options.ransacPixels, set);
+    if (set.objectPoints.size() < kMinCorrespondences)
+        throw std::runtime_error("only " + std::to_string(set.objectPoints.size()) + " matches between " +
+                                 first.colourFile + " and " + second.colourFile);
+    return set;
+}
+
+}  // namespace samples

@@ -1,0 +1,95 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "common/residuals.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace samples {
+
+namespace {
+
+//! Step of the numeric derivative, relative to the point's distance: the cube root of the machine precision.
+constexpr double kRelativeStep = 6e-6;
+
+//! The derivative of the pixel with respect to the point, px per length; false where the lens does not see it.
+bool projectionJacobian(const cv::gmlpnp::CameraModel& camera, const cv::Vec3d& X, cv::Matx23d& J)
+{
+    const double h = kRelativeStep * cv::norm(X);
+    for (int c = 0; c < 3; ++c) {
+        cv::Vec3d step;
+        step[c] = h;
+        cv::Point2d plus, minus;
+        if (!camera.projectPoint(X + step, plus) || !camera.projectPoint(X - step, minus))
+            return false;
+        J(0, c) = (plus.x - minus.x) / (2.0 * h);
+        J(1, c) = (plus.y - minus.y) / (2.0 * h);
+    }
+    return true;
+}
+
+double squaredMahalanobis(const cv::Vec2d& residual, const cv::Matx22d& covariance)
+{
+    const double determinant = cv::determinant(covariance);
+    if (!(determinant > 0.0))
+        return std::numeric_limits<double>::infinity();
+    const cv::Matx22d adjugate(covariance(1, 1), -covariance(0, 1), -covariance(1, 0), covariance(0, 0));
+    return residual.dot(adjugate * residual) / determinant;
+}
+
+//! From the point of the ray that S makes likeliest to X. Written with the tangent part of S alone, it holds for a
+//! singular S too.
+cv::Vec3d objectResidual(const cv::Vec3d& X, const cv::Vec3d& ray, const cv::Matx33d& S)
+{
+    // Two directions that span the plane across the ray.
+    const cv::Vec3d a = cv::normalize(ray.cross(std::abs(ray[0]) < 0.5 ? cv::Vec3d(1, 0, 0) : cv::Vec3d(0, 1, 0)));
+    const cv::Vec3d b = ray.cross(a);
+    const cv::Vec3d Sa = S * a, Sb = S * b;
+    const cv::Matx22d C(a.dot(Sa), a.dot(Sb), a.dot(Sb), b.dot(Sb));
+    const cv::Vec2d across(a.dot(X), b.dot(X));
+    cv::Vec2d weights;
+    if (!cv::solve(C, across, weights, cv::DECOMP_CHOLESKY))
+        return across[0] * a + across[1] * b;
+    return weights[0] * Sa + weights[1] * Sb;
+}
+
+}  // namespace
+
+std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp::Result& result)
+{
+    const auto camera = cv::gmlpnp::CameraModel::pinhole(set.cameraMatrix, set.distCoeffs);
+    const Pose pose = poseFromRotationVector(result.rvec, result.tvec);
+    const cv::Matx33d Sigma(result.objectNoise), Gamma(result.bearingNoise);
+    std::vector<Residual> residuals;
+    for (size_t i = 0; i < set.objectPoints.size(); ++i) {
+        const cv::Vec3d X = pose * cv::Vec3d(set.objectPoints[i]);
+        Residual r;
+        cv::Point2d predicted;
+        cv::Vec3d ray;
+        cv::Matx23d J;
+        r.observed = set.imagePoints[i];
+        if (!camera->projectPoint(X, predicted) || !camera->unprojectPoint(r.observed, ray) ||
+            !projectionJacobian(*camera, X, J))
+            continue;
+        r.depth = ray.dot(X);
+        r.objectCovariance = pose.R * Sigma * pose.R.t() + r.depth * r.depth * Gamma;
+        r.object = objectResidual(X, ray, r.objectCovariance);
+        r.pixels = cv::Vec2d(r.observed.x - predicted.x, r.observed.y - predicted.y);
+        r.pixelCovariance = J * r.objectCovariance * J.t();
+        r.inside = squaredMahalanobis(r.pixels, r.pixelCovariance) <= kChi2Of95Percent;
+        residuals.push_back(r);
+    }
+    return residuals;
+}
+
+double meanDepth(const std::vector<Residual>& residuals)
+{
+    double sum = 0.0;
+    for (const Residual& r : residuals)
+        sum += r.depth;
+    return residuals.empty() ? 0.0 : sum / static_cast<double>(residuals.size());
+}
+
+}  // namespace samples

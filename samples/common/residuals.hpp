@@ -1,0 +1,39 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef GMLPNP_SAMPLES_RESIDUALS_HPP
+#define GMLPNP_SAMPLES_RESIDUALS_HPP
+
+#include <vector>
+
+#include <opencv2/gmlpnp.hpp>
+
+#include "common/correspondences.hpp"
+
+namespace samples {
+
+/** What an estimate says about one correspondence, and how far the data are from it. */
+struct Residual
+{
+    cv::Point2d observed;          //!< px
+    cv::Vec2d pixels;              //!< observed minus predicted, px
+    cv::Matx22d pixelCovariance;   //!< of the predicted pixel, px^2
+    double depth;                  //!< along the ray, length
+    cv::Vec3d object;              //!< camera frame, length: from the likeliest point on the ray to the object point
+    cv::Matx33d objectCovariance;  //!< S = R Sigma R^T + depth^2 Gamma, camera frame, length^2
+    bool inside;                   //!< the observed pixel is inside the 95 % ellipse of the predicted one
+};
+
+//! Squared radius of the ellipse that holds 95 % of a normal distribution in two dimensions.
+constexpr double kChi2Of95Percent = 5.991464547107979;
+
+/** The residuals of all points that the camera sees from the estimated pose. */
+std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp::Result& result);
+
+//! Of the points along their rays; zero without residuals.
+double meanDepth(const std::vector<Residual>& residuals);
+
+}  // namespace samples
+
+#endif  // GMLPNP_SAMPLES_RESIDUALS_HPP

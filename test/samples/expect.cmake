@@ -1,0 +1,14 @@
+# Runs a program and checks its exit code and that its output (both streams) matches a regular expression.
+
+function(expect code pattern)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result STREQUAL code)
+    message(FATAL_ERROR "exit code ${result}, expected ${code}: ${ARGN}\n${output}")
+  endif()
+  if(NOT output MATCHES "${pattern}")
+    message(FATAL_ERROR "'${pattern}' is not in the output of ${ARGN}\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+file(MAKE_DIRECTORY ${WORK_DIR})

@@ -1,0 +1,124 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/residual_picture.hpp"
+#include "common/residuals.hpp"
+
+namespace {
+
+using namespace samples;
+
+const cv::Matx33d kSigma(4e-4, 1e-4, 0, 1e-4, 3e-4, -1e-4, 0, -1e-4, 9e-4), kGamma(1e-6, 0, 0, 0, 2e-6, 0, 0, 0, 1e-6);
+
+cv::gmlpnp::Result resultWith(const cv::Matx33d& Sigma, const cv::Matx33d& Gamma)
+{
+    cv::gmlpnp::Result result;
+    result.rvec = cv::Vec3d(0.2, -0.1, 0.3);
+    result.tvec = cv::Vec3d(0.1, 0.2, 4.0);
+    result.objectNoise = cv::Mat(Sigma, true);
+    result.bearingNoise = cv::Mat(Gamma, true);
+    return result;
+}
+
+//! The triangular L with L L^T = C; its product with normal numbers has the covariance C.
+cv::Matx33d cholesky(const cv::Matx33d& C)
+{
+    cv::Matx33d L = cv::Matx33d::zeros();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double rest = C(i, j);
+            for (int k = 0; k < j; ++k)
+                rest -= L(i, k) * L(j, k);
+            L(i, j) = i == j ? std::sqrt(rest) : rest / L(j, j);
+        }
+    return L;
+}
+
+//! Points seen from the result's pose with the result's own noise.
+CorrespondenceSet sceneOf(const cv::gmlpnp::Result& result, int count, double noise)
+{
+    cv::RNG random(4711);
+    const auto normal = [&](const cv::Matx33d& covariance) {
+        return noise * (cholesky(covariance) * cv::Vec3d(random.gaussian(1), random.gaussian(1), random.gaussian(1)));
+    };
+    CorrespondenceSet set;
+    set.path = "scene.txt";
+    set.cameraMatrix = cv::Matx33d(500, 0, 320, 0, 510, 240, 0, 0, 1);
+    set.distCoeffs = {0.1, -0.2, 0.001, 0.002};
+    const Pose pose = poseFromRotationVector(result.rvec, result.tvec);
+    const auto camera = cv::gmlpnp::CameraModel::pinhole(set.cameraMatrix, set.distCoeffs);
+    for (int i = 0; i < count; ++i) {
+        const cv::Vec3d p(random.uniform(-1., 1.), random.uniform(-1., 1.), random.uniform(-1., 1.)), X = pose * p;
+        cv::Point2d pixel;
+        EXPECT_TRUE(camera->projectPoint(X + cv::norm(X) * normal(kGamma), pixel));
+        set.objectPoints.emplace_back(p + normal(kSigma));
+        set.imagePoints.push_back(pixel);
+    }
+    return set;
+}
+
+TEST(Residuals, VanishForExactData)
+{
+    const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);
+    const std::vector<Residual> residuals = residualsOf(sceneOf(result, 30, 0.0), result);
+    ASSERT_EQ(residuals.size(), 30u);
+    for (const Residual& r : residuals) {
+        EXPECT_LT(cv::norm(r.pixels), 1e-9);
+        EXPECT_LT(cv::norm(r.object), 1e-9);
+        EXPECT_TRUE(r.inside);
+    }
+}
+
+TEST(Residuals, LeadFromTheRayToTheObjectPoint)
+{
+    // Also for a Sigma of rank one, where the residual must stay in its range.
+    for (const cv::Matx33d& Sigma : {kSigma, cv::Matx33d(1e-4, 0, 0, 0, 0, 0, 0, 0, 0)}) {
+        const cv::gmlpnp::Result result = resultWith(Sigma, kGamma);
+        const CorrespondenceSet set = sceneOf(result, 30, 1.0);
+        const Pose pose = poseFromRotationVector(result.rvec, result.tvec);
+        const auto camera = cv::gmlpnp::CameraModel::pinhole(set.cameraMatrix, set.distCoeffs);
+        const std::vector<Residual> residuals = residualsOf(set, result);
+        ASSERT_EQ(residuals.size(), set.objectPoints.size());
+        for (size_t i = 0; i < residuals.size(); ++i) {
+            cv::Vec3d ray;
+            ASSERT_TRUE(camera->unprojectPoint(set.imagePoints[i], ray));
+            const cv::Vec3d onRay = pose * cv::Vec3d(set.objectPoints[i]) - residuals[i].object;
+            EXPECT_LT(cv::norm(onRay.cross(ray)), 1e-9);
+        }
+    }
+}
+
+TEST(Residuals, NinetyFivePercentOfThemAreInsideForTheTrueNoise)
+{
+    const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);
+    const std::vector<Residual> residuals = residualsOf(sceneOf(result, 4000, 1.0), result);
+    const auto inside = std::count_if(residuals.begin(), residuals.end(), [](const Residual& r) { return r.inside; });
+    const double share = static_cast<double>(inside) / static_cast<double>(residuals.size());
+    EXPECT_NEAR(share, 0.95, 4.0 * std::sqrt(0.95 * 0.05 / 4000.0));
+}
+
+TEST(ResidualPicture, DrawsWhateverItGets)
+{
+    const LengthUnit unit = shownUnit("m");
+    const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);
+    const cv::gmlpnp::Result exact = resultWith(cv::Matx33d::zeros(), cv::Matx33d::zeros());
+    CorrespondenceSet set = sceneOf(result, 50, 1.0);
+    const cv::Mat blank = drawResiduals(set, {}, "", unit),
+                  drawn = drawResiduals(set, residualsOf(set, result), "", unit);
+    ASSERT_EQ(drawn.size(), blank.size());
+    EXPECT_GT(cv::norm(drawn, blank, cv::NORM_L1), 0.0);
+    // No noise at all, one pixel far away, all pixels in one place.
+    EXPECT_FALSE(drawResiduals(set, residualsOf(set, exact), "", unit).empty());
+    set.imagePoints[0] = {1e9, -1e9};
+    EXPECT_FALSE(drawResiduals(set, residualsOf(set, result), "", unit).empty());
+    set.imagePoints.assign(set.imagePoints.size(), {320, 240});
+    EXPECT_FALSE(drawResiduals(set, residualsOf(set, result), "", unit).empty());
+}
+
+}  // namespace
