@@ -89,7 +89,7 @@ std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<
         CV_Error(Error::StsAssert, "'D' must be one array, not a list of arrays");
     const Mat given = coefficients.getMat();
     const int n = static_cast<int>(given.total()) * given.channels();
-    const bool isVector = given.dims == 2 && (given.rows == 1 || given.cols == 1);
+    const bool isVector = given.dims <= 2 && (given.rows == 1 || given.cols == 1);
     if (!isVector || std::find(counts.begin(), counts.end(), n) == counts.end()) {
         String allowed = "0";
         for (const int count : counts)

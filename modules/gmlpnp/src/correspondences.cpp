@@ -35,7 +35,8 @@ bool finite(const Mat_<double>& objectPoints, const Mat_<double>& rays)
     return std::isfinite(p.squaredNorm()) && std::isfinite(m.squaredNorm()) && m.rowwise().squaredNorm().minCoeff() > 0;
 }
 
-Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays)
+Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
+                                 const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances)
     : columns(objectPoints.rows, 6)
 {
     const RowPoints p = asEigen(objectPoints), m = asEigen(rays);
@@ -45,6 +46,26 @@ Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<do
     scale = std::sqrt(columns.leftCols<3>().rowwise().squaredNorm().mean());
     if (scale > 0)
         columns.leftCols<3>() /= scale;
+
+    if (objectCovariances.empty() && rayCovariances.empty())
+        return;
+    known.setZero(size(), 12);
+    constexpr int UPPER[6] = {0, 1, 2, 4, 5, 8};  // of a row-major 3x3
+    for (int i = 0; i < size(); ++i)
+        for (int k = 0; k < 6; ++k) {
+            if (!objectCovariances.empty())
+                known(i, k) = objectCovariances(i, UPPER[k]) / (scale * scale);
+            if (!rayCovariances.empty())
+                known(i, 6 + k) = rayCovariances(i, UPPER[k]);
+        }
+}
+
+Matrix3d Correspondences::knownAt(int i, int first) const
+{
+    Matrix3d C;
+    const auto k = known.row(i).segment<6>(first);
+    C << k(0), k(1), k(2), k(1), k(3), k(4), k(2), k(4), k(5);
+    return C;
 }
 
 bool Correspondences::degenerate() const

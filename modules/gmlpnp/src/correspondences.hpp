@@ -18,14 +18,23 @@ X = R p + t = scale (R p' + t'),  so  t = scale t' - R centre,  delta = scale de
 class Correspondences
 {
 public:
-    /** Both N x 3; rays need not be unit. Inputs must be finite (see finite()). */
-    CV_EXPORTS Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays);
+    /** Both N x 3; rays need not be unit. Inputs must be finite (see finite()).
+    Known covariances of each point, N x 9 or empty: of the object points, object frame, length^2, and of the rays,
+    camera frame, rad^2. */
+    CV_EXPORTS Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
+                               const Mat_<double>& objectCovariances = {}, const Mat_<double>& rayCovariances = {});
 
     int size() const { return static_cast<int>(columns.rows()); }
     const double* point(int axis) const { return columns.col(axis).data(); }
     const double* ray(int axis) const { return columns.col(3 + axis).data(); }
     Vector3d pointAt(int i) const { return columns.row(i).head<3>(); }
     Vector3d rayAt(int i) const { return columns.row(i).tail<3>(); }
+
+    bool hasKnown() const { return known.rows() > 0; }
+    /** Entries 0..5 (xx xy xz yy yz zz) of the known object covariance, 6..11 of the known ray covariance. */
+    const double* knownEntry(int entry) const { return known.col(entry).data(); }
+    Matrix3d knownObject(int i) const { return knownAt(i, 0); }
+    Matrix3d knownRay(int i) const { return knownAt(i, 6); }
 
     /** Whether no pose can follow: points on one line or at one place, or rays all in one direction. */
     CV_EXPORTS bool degenerate() const;
@@ -37,7 +46,10 @@ public:
     double scale;  //!< root mean square distance of the points from their centre, the caller's length
 
 private:
+    CV_EXPORTS Matrix3d knownAt(int i, int first) const;
+
     Eigen::Matrix<double, Eigen::Dynamic, 6> columns;  // px py pz mx my mz
+    Eigen::Matrix<double, Eigen::Dynamic, 12> known;   // no rows: none
 };
 
 /** Whether every number is finite and no ray is zero. */

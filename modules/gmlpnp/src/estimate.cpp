@@ -26,10 +26,10 @@ constexpr int STEP_HALVINGS = 5;
 // gradient do not follow it exactly. A rise beyond this [nat per point, at least RISE] is a step gone wrong.
 constexpr double RISE = 3, RISE_PER_POINT = 0.05;
 
-bool accepted(NoiseKind kind, const RaySums& before, const RaySums& after, int n)
+bool accepted(bool noiseChanged, const RaySums& before, const RaySums& after, int n)
 {
-    if (kind == NoiseKind::FIXED)
-        return after.c <= before.c;
+    if (!noiseChanged)
+        return after.misfit <= before.misfit;
     return after.L <= before.L + std::max(RISE, RISE_PER_POINT * n) && 2 * after.inFront > n;
 }
 
@@ -40,7 +40,7 @@ bool finished(NoiseKind kind, const Estimate& before, const Estimate& after, dou
     // With a fixed noise Gauss-Newton converges fast: a tighter end costs a round and gives the minimum itself.
     constexpr double FIXED_TOLERANCE = 1e-6;  // nat
     const double change = std::abs(after.sums.L - before.sums.L);
-    return change < (kind == NoiseKind::FIXED ? std::min(tolerance, FIXED_TOLERANCE) : tolerance);
+    return change < (isConstant(kind) ? std::min(tolerance, FIXED_TOLERANCE) : tolerance);
 }
 
 }  // namespace
@@ -50,20 +50,27 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
 {
     const int n = data.size();
     const LeverArm lever = kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED;
-    Estimate now{start, noise, kind, rayPass(data, start, noise, lever), 0, false};
+    Estimate now;
+    now.pose = start;
+    now.noise = noise;
+    now.kind = kind;
+    now.sums = rayPass(data, start, noise, lever);
     while (now.rounds < stopping.maxRounds && !now.converged) {
         Vector6d xi = gaussNewtonStep(now.sums);
         Estimate next = now;
         next.rounds++;
         next.noise = updatedNoise(kind, now.noise, now.sums, now.pose.R, n);
+        if (stopping.robust)
+            next.noise.tail = updatedTail(data, now.pose, now.noise, now.sums);
+        const bool noiseChanged = !isConstant(kind) || next.noise.tail != now.noise.tail;
         next.pose = perturbed(now.pose, xi);
         next.sums = rayPass(data, next.pose, next.noise, lever);
-        for (int k = 0; k < STEP_HALVINGS && !accepted(kind, now.sums, next.sums, n); ++k) {
+        for (int k = 0; k < STEP_HALVINGS && !accepted(noiseChanged, now.sums, next.sums, n); ++k) {
             xi *= 0.5;
             next.pose = perturbed(now.pose, xi);
             next.sums = rayPass(data, next.pose, next.noise, lever);
         }
-        if (kind == NoiseKind::FIXED && !accepted(kind, now.sums, next.sums, n)) {
+        if (!noiseChanged && !accepted(noiseChanged, now.sums, next.sums, n)) {
             now.converged = true;  // no step falls any more: this is the minimum, to rounding
             break;
         }
@@ -77,13 +84,15 @@ Pose isotropicPose(const Correspondences& data, const Pose& start)
 {
     Noise unit;
     unit.Sigma.setIdentity();
-    return alternate(data, start, unit, NoiseKind::FIXED, {30, 1e-12}).pose;
+    return alternate(data, start, unit, NoiseKind::FIXED, {30, 1e-12, false}).pose;
 }
 
 namespace {
 
 // Evidence: a model with a noise more must be this much better [nat].
 constexpr double PENALTY = 2;
+// Models less likely than this share of the best do not move the pose.
+constexpr double NEGLIGIBLE = 1e-4;
 // Fewer points leave too few degrees of freedom for a covariance: isotropic noise.
 constexpr int MIN_POINTS_COVARIANCE = 6;
 // Object noise in a model of bearing noise alone, as a share of the variance at mean depth: a point at the very centre
@@ -92,7 +101,7 @@ constexpr double BEARING_ONLY_SHARE = 1e-6;
 
 Noise isotropic(double a, double b)
 {
-    return {a * Matrix3d::Identity(), b * Matrix3d::Identity()};
+    return {a * Matrix3d::Identity(), b * Matrix3d::Identity(), 0};
 }
 
 // A known noise may be singular, or zero; the determinants must not be.
@@ -102,10 +111,71 @@ Matrix3d regular(const Matrix3d& known)
     return floored(known, RELATIVE) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
 }
 
-void keepBetter(const Estimate& rival, double penalty, Estimate& best)
+Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
+                           const KnownNoise& Gamma, const Stopping& stopping)
 {
-    if (rival.sums.L + penalty < best.sums.L)
-        best = rival;
+    const Noise object = isotropic(splitResiduals(data, start).aOnly, 0);
+    return alternate(data, start, {Sigma ? regular(*Sigma) : object.Sigma, Gamma.value_or(object.Gamma), 0},
+                     Sigma ? NoiseKind::FIXED : NoiseKind::ISOTROPIC, {stopping.maxRounds, stopping.tolerance, false});
+}
+
+struct Rival
+{
+    Estimate estimate;
+    double penalty;  // nat
+
+    double L() const { return estimate.sums.L + penalty; }
+};
+
+Vector6d difference(const Pose& to, const Pose& from)
+{
+    const Matrix3d dR = to.R * from.R.transpose();
+    Vector6d xi;
+    xi << logSO3(dR), to.t - dR * from.t;
+    return xi;
+}
+
+// The pose has fitted away six of the 2n residual coordinates; what was estimated from them is that much too small.
+Noise restricted(const Estimate& estimate, int n)
+{
+    const double freedom = 2. * n / (2 * n - 6);
+    Noise noise = estimate.noise;
+    if (estimate.kind == NoiseKind::OBJECT || estimate.kind == NoiseKind::BOTH)
+        noise.Sigma *= freedom;
+    if (estimate.kind == NoiseKind::BEARING || estimate.kind == NoiseKind::BOTH)
+        noise.Gamma *= freedom;
+    return noise;
+}
+
+// The posterior mean of the pose over the kinds of noise: where the data cannot tell bearing noise from object noise
+// (one depth), the two pull the pose to either side of the truth along the viewing direction.
+template <size_t COUNT>
+Estimate averaged(const Correspondences& data, const std::array<Rival, COUNT>& rivals)
+{
+    const auto likelier = [](const Rival& a, const Rival& b) { return a.L() < b.L(); };
+    const Rival& best = *std::min_element(rivals.begin(), rivals.end(), likelier);
+    Estimate out = best.estimate;
+    out.evidence = std::numeric_limits<double>::infinity();
+    double total = 0;
+    Vector6d mean = Vector6d::Zero();
+    Matrix6d square = Matrix6d::Zero();
+    for (const Rival& rival : rivals) {
+        if (&rival != &best)
+            out.evidence = std::min(out.evidence, rival.L() - best.L());
+        const double weight = std::exp(best.L() - rival.L());
+        if (!(weight > NEGLIGIBLE))
+            continue;
+        const Vector6d xi = difference(rival.estimate.pose, best.estimate.pose);
+        total += weight;
+        mean += weight * xi;
+        square += weight * xi * xi.transpose();
+    }
+    mean /= total;
+    out.spread = square / total - mean * mean.transpose();
+    out.pose = perturbed(best.estimate.pose, mean);
+    out.noise = restricted(out, data.size());
+    out.sums = rayPass(data, out.pose, out.noise);
+    return out;
 }
 
 }  // namespace
@@ -113,8 +183,12 @@ void keepBetter(const Estimate& rival, double penalty, Estimate& best)
 Estimate estimatePublished(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
                            const KnownNoise& Gamma, const Stopping& stopping)
 {
-    const Noise noise{Sigma ? regular(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero())};
-    return alternate(data, start, noise, Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED, stopping);
+    if (data.size() < MIN_POINTS_COVARIANCE)
+        return estimateIsotropic(data, start, Sigma, Gamma, stopping);
+    const Noise noise{Sigma ? regular(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero()), 0};
+    Stopping fixedTails = stopping;
+    fixedTails.robust = false;
+    return alternate(data, start, noise, Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED, fixedTails);
 }
 
 Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
@@ -122,28 +196,24 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
 {
     const auto run = [&](const Noise& noise, NoiseKind kind) { return alternate(data, start, noise, kind, stopping); };
     if (Sigma && Gamma)
-        return run({regular(*Sigma), *Gamma}, NoiseKind::FIXED);
+        return run({regular(*Sigma), *Gamma, 0}, NoiseKind::FIXED);
+    if (data.size() < MIN_POINTS_COVARIANCE)
+        return estimateIsotropic(data, start, Sigma, Gamma, stopping);
     const ResidualSplit split = splitResiduals(data, start);
     const Noise object = isotropic(split.aOnly, 0);
-    if (data.size() < MIN_POINTS_COVARIANCE)
-        return run({Sigma ? regular(*Sigma) : object.Sigma, Gamma.value_or(object.Gamma)}, NoiseKind::FIXED);
     const Noise bearing = isotropic(BEARING_ONLY_SHARE * split.bOnly * split.meanDepth2, split.bOnly);
     const Noise both = isotropic(split.a, split.b);
 
-    if (Sigma) {
-        Estimate best = run({regular(*Sigma), object.Gamma}, NoiseKind::FIXED);
-        keepBetter(run({regular(*Sigma), both.Gamma}, NoiseKind::BEARING), PENALTY, best);
-        return best;
-    }
-    if (Gamma) {
-        Estimate best = run({bearing.Sigma, *Gamma}, NoiseKind::FIXED);
-        keepBetter(run({both.Sigma, *Gamma}, NoiseKind::OBJECT), PENALTY, best);
-        return best;
-    }
-    Estimate best = run(object, NoiseKind::OBJECT);
-    keepBetter(run(bearing, NoiseKind::BEARING), 0, best);
-    keepBetter(run(both, NoiseKind::BOTH), PENALTY, best);
-    return best;
+    if (Sigma)
+        return averaged(
+            data, std::array<Rival, 2>{Rival{run({regular(*Sigma), object.Gamma, 0}, NoiseKind::FIXED), 0},
+                                       Rival{run({regular(*Sigma), both.Gamma, 0}, NoiseKind::BEARING), PENALTY}});
+    if (Gamma)
+        return averaged(data, std::array<Rival, 2>{Rival{run({bearing.Sigma, *Gamma, 0}, NoiseKind::FIXED), 0},
+                                                   Rival{run({both.Sigma, *Gamma, 0}, NoiseKind::OBJECT), PENALTY}});
+    return averaged(
+        data, std::array<Rival, 3>{Rival{run(object, NoiseKind::OBJECT), 0}, Rival{run(bearing, NoiseKind::BEARING), 0},
+                                   Rival{run(both, NoiseKind::BOTH), PENALTY}});
 }
 
 }  // namespace detail

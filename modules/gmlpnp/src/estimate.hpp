@@ -15,7 +15,8 @@ namespace detail {
 struct Stopping
 {
     int maxRounds;
-    double tolerance;  //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
+    double tolerance;     //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
+    bool robust = false;  //!< whether the tails are estimated too
 };
 
 /** Change of L [nat] that no longer matters: a tenth of a nat moves the pose by a fraction of its standard deviation.
@@ -25,7 +26,7 @@ constexpr double DEFAULT_TOLERANCE = 0.1;
 /** The published algorithm needs its few rounds: its covariance only collapses further. */
 inline Stopping defaultStopping(bool published)
 {
-    return published ? Stopping{5, 1e-5} : Stopping{20, DEFAULT_TOLERANCE};
+    return published ? Stopping{5, 1e-5, false} : Stopping{20, DEFAULT_TOLERANCE, false};
 }
 
 struct Estimate
@@ -36,6 +37,8 @@ struct Estimate
     RaySums sums;  //!< at pose and noise
     int rounds = 0;
     bool converged = false;
+    double evidence = 0;                 //!< by how much the kind of noise beats the next best, nat
+    Matrix6d spread = Matrix6d::Zero();  //!< covariance of xi between the kinds of noise
 };
 
 /** The alternation: one Gauss-Newton step for the pose and one update of the noise from the sums of one pass. */
@@ -53,8 +56,8 @@ zero unless given. */
 CV_EXPORTS Estimate estimatePublished(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
                                       const KnownNoise& Gamma, const Stopping& stopping);
 
-/** Marginal likelihood over pose, Sigma and Gamma, from a pose of isotropic noise. Of object noise, bearing noise and
-both, the evidence chooses. */
+/** Marginal likelihood over pose, Sigma and Gamma, from a pose of isotropic noise. Object noise, bearing noise and both
+are fitted; the noise is that of the likeliest, the pose the mean over all three by their evidence. */
 CV_EXPORTS Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
                                      const KnownNoise& Gamma, const Stopping& stopping);
 

@@ -194,7 +194,7 @@ void searchMinima(const Correspondences& data, const RotationCost& cost, std::ve
 
 }  // namespace
 
-std::vector<PoseCandidate> initialPoses(const Correspondences& data)
+std::vector<PoseCandidate> initialPoses(const Correspondences& data, double costRatio)
 {
     const RotationCost cost = rotationCost(data);
     std::vector<PoseCandidate> minima;
@@ -205,7 +205,7 @@ std::vector<PoseCandidate> initialPoses(const Correspondences& data)
         return minima;
     // On exact data the best cost is rounding; a minimum is as good when it is rounding too.
     const double rounding = 1e-13 * cost.Omega.trace();
-    const double most = INITIAL_COST_RATIO * std::max(minima.front().cost, 0.0) + rounding;
+    const double most = costRatio * std::max(minima.front().cost, rounding);
     minima.erase(std::remove_if(minima.begin(), minima.end(), [=](const PoseCandidate& c) { return c.cost > most; }),
                  minima.end());
     return minima;

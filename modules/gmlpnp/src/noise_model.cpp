@@ -82,10 +82,61 @@ ResidualSplit splitResiduals(const Correspondences& data, const Pose& pose)
     return {freedom * line.a, freedom * line.b, freedom * aOnly, freedom * bOnly, depth2.mean()};
 }
 
+namespace {
+
+// Degrees of freedom tried: 32 down to 2 in steps of sqrt(2).
+constexpr int TAIL_COUNT = 9;
+constexpr double TAIL_FIRST = 32;
+
+double degreesOfFreedom(double step)
+{
+    return TAIL_FIRST * std::pow(2, -step / 2);
+}
+
+// The parts of L that depend on nu, for each candidate; the last entry is the Gaussian's.
+std::array<double, TAIL_COUNT + 1> tailCosts(const Correspondences& data, const Pose& pose, const Noise& noise)
+{
+    std::array<double, TAIL_COUNT> nu;
+    for (int k = 0; k < TAIL_COUNT; ++k)
+        nu[k] = degreesOfFreedom(k);
+    std::array<double, TAIL_COUNT + 1> costs{};
+    for (int i = 0; i < data.size(); ++i) {
+        const double c = pointTerms(data, i, pose, noise).c;
+        for (int k = 0; k < TAIL_COUNT; ++k)
+            costs[k] += 0.5 * (nu[k] + 2) * std::log1p(c / nu[k]);
+        costs[TAIL_COUNT] += 0.5 * c;
+    }
+    return costs;
+}
+
+// Score test for tails heavier than Gaussian: dL/d(1/nu) at 1/nu = 0 is  sum (c - c^2/4); with the scale fitted too its
+// variance is 4 n, so this much of it promises a gain of TAIL_PENALTY.
+bool mayHaveTails(const RaySums& sums, int n)
+{
+    return sums.c2 / 4 - 2 * sums.c + 2 * n > std::sqrt(8 * TAIL_PENALTY * n);
+}
+
+}  // namespace
+
+double updatedTail(const Correspondences& data, const Pose& pose, const Noise& noise, const RaySums& sums)
+{
+    if (noise.tail == 0 && !mayHaveTails(sums, data.size()))
+        return 0;
+    const std::array<double, TAIL_COUNT + 1> costs = tailCosts(data, pose, noise);
+    const int k = static_cast<int>(std::min_element(costs.begin(), costs.end() - 1) - costs.begin());
+    if (!(costs[k] + TAIL_PENALTY < costs[TAIL_COUNT]))
+        return 0;
+    if (k == 0 || k == TAIL_COUNT - 1)
+        return 1 / degreesOfFreedom(k);
+    // The parabola through the neighbours, in log nu.
+    const double left = costs[k - 1] - costs[k], right = costs[k + 1] - costs[k];
+    return 1 / degreesOfFreedom(k + 0.5 * (left - right) / (left + right));
+}
+
 Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R, int n)
 {
     Noise next = noise;
-    if (kind == NoiseKind::FIXED)
+    if (isConstant(kind))
         return next;
     const auto toObject = [&R](const Matrix3d& M) { return Matrix3d(R.transpose() * M * R); };
     if (kind == NoiseKind::PUBLISHED) {

@@ -41,17 +41,31 @@ struct ResidualSplit
 };
 CV_EXPORTS ResidualSplit splitResiduals(const Correspondences& data, const Pose& pose);
 
-/** Which noises are estimated. */
+/** Which noises are estimated; ISOTROPIC: one variance, found beforehand. */
 enum class NoiseKind
 {
     FIXED,
+    ISOTROPIC,
     PUBLISHED,
     OBJECT,
     BEARING,
     BOTH
 };
 
-/** Noise of the next round. */
+/** Whether Sigma and Gamma stay as they are while the pose is sought. */
+inline bool isConstant(NoiseKind kind)
+{
+    return kind == NoiseKind::FIXED || kind == NoiseKind::ISOTROPIC;
+}
+
+/** 1/nu of the Student-t that fits the residuals best, or 0 where a Gaussian is as good to TAIL_PENALTY. `sums` are
+those at `pose` and `noise`. */
+CV_EXPORTS double updatedTail(const Correspondences& data, const Pose& pose, const Noise& noise, const RaySums& sums);
+
+/** Evidence a Student-t needs over a Gaussian, nat. */
+constexpr double TAIL_PENALTY = 1;
+
+/** Sigma and Gamma of the next round. */
 CV_EXPORTS Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R, int n);
 
 }  // namespace detail

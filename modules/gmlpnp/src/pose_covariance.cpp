@@ -19,6 +19,40 @@ Vector6d unitDiagonal(const Matrix6d& H)
 
 }  // namespace
 
+namespace {
+
+// P(F > f) for the F distribution with 6 and d degrees of freedom (finite sum for an even first number).
+double upperTail(double f, double d)
+{
+    const double x = d / (d + 6 * f), y = 1 - x, a = d / 2;
+    return std::pow(x, a) * (1 + a * y * (1 + (a + 1) * y / 2));
+}
+
+// Quantile 0.95 of F(6, d) against its limit chi^2(6) / 6: what makes the 95 % ellipsoid hold the truth although the
+// noise was estimated from as few residuals.
+double ellipsoidFactor(double d)
+{
+    constexpr double CHI2_OVER_6 = 12.591587 / 6;
+    double low = 1, high = 1e3;
+    for (int k = 0; k < 60; ++k) {
+        const double middle = std::sqrt(low * high);
+        (upperTail(middle, d) > 0.05 ? low : high) = middle;
+    }
+    return low / CHI2_OVER_6;
+}
+
+// Residual degrees of freedom: 2n - 6 judge one variance. A covariance leaves n - 6 to each of its directions; that it
+// covers as promised is measured (doc/theory.md).
+double smallSample(NoiseKind kind, int n)
+{
+    constexpr int FEWEST = 2;
+    if (kind == NoiseKind::FIXED)
+        return 1;
+    return ellipsoidFactor(std::max(kind == NoiseKind::ISOTROPIC ? 2 * n - 6 : n - 6, FEWEST));
+}
+
+}  // namespace
+
 bool determined(const Matrix6d& H)
 {
     if (!H.allFinite() || !(H.diagonal().minCoeff() > 0))
@@ -36,9 +70,10 @@ Matrix6d poseCovariance(const Estimate& estimate, int n)
     const Vector6d scale = unitDiagonal(H);
     const Matrix6d correlation = scale.asDiagonal() * H * scale.asDiagonal();
     const Matrix6d inverse = correlation.ldlt().solve(Matrix6d::Identity());
-    // The pose has fitted away six of the 2n residual coordinates that the noise was estimated from.
-    const double freedom = estimate.kind == NoiseKind::FIXED ? 1 : 2. * n / (2 * n - 6);
-    const Matrix6d covariance = freedom * (scale.asDiagonal() * inverse * scale.asDiagonal());
+    // Student-t: a residual carries (nu + 2) / (nu + 4) of the information its scale matrix promises.
+    const double tail = (1 + 4 * estimate.noise.tail) / (1 + 2 * estimate.noise.tail);
+    const Matrix6d covariance =
+        smallSample(estimate.kind, n) * tail * (scale.asDiagonal() * inverse * scale.asDiagonal()) + estimate.spread;
     return 0.5 * (covariance + covariance.transpose());
 }
 

@@ -15,7 +15,8 @@ namespace detail {
 CV_EXPORTS bool determined(const Matrix6d& H);
 
 /** Covariance of xi = (phi, delta) at an estimate, in the solver's units: H^-1, enlarged where the noise was estimated
-from the same residuals. */
+from the same residuals so that the 95 % ellipsoid holds the truth in 95 % of cases, plus the spread between kinds of
+noise. */
 CV_EXPORTS Matrix6d poseCovariance(const Estimate& estimate, int n);
 
 /** Solver's units to the caller's: delta = scale delta'. */

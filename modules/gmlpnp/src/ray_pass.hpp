@@ -16,6 +16,8 @@ struct Noise
 {
     Matrix3d Sigma = Matrix3d::Zero();  //!< object noise, object frame, length^2
     Matrix3d Gamma = Matrix3d::Zero();  //!< bearing noise, camera frame, rad^2
+    //! 1/nu of the Student-t whose scale matrices Sigma and Gamma are; 0: Gaussian.
+    double tail = 0;
 };
 
 /** What one correspondence says at a pose and a noise (doc/theory.md, section 2); the depth is eliminated. */
@@ -25,6 +27,7 @@ struct PointTerms
     double s;         //!< depth along the ray, m^T X
     double D;         //!< determinant of the tangent covariance, m^T adj(S) m
     double c;         //!< squared Mahalanobis residual, 2 degrees of freedom
+    double w;         //!< weight of its tail, (nu + 2) / (nu + c); 1 for Gaussian noise
     Vector3d z;       //!< Q X
     Vector3d zTilde;  //!< gradient of c/2 with respect to X, the dependence of S on s included
     Vector3d Xhat;    //!< X - R Sigma R^T z: the point without its estimated object noise
@@ -43,18 +46,20 @@ enum class LeverArm
 /** Sums over the points that a round needs. */
 struct RaySums
 {
-    Matrix6d H;       //!< sum J^T Q J, Gauss-Newton matrix for xi = (phi, delta)
-    Vector6d g;       //!< sum J^T zTilde, gradient of sum c/2 with respect to xi, through S(R, s)
-    Matrix3d Zo, Go;  //!< sum z z^T, sum Q: for Sigma, camera frame
-    Matrix3d Zb, Gb;  //!< sum s^2 z z^T, sum s^2 Q: for Gamma
-    double L;         //!< 1/2 sum (log D + c), negative log-likelihood, nat
-    double c;         //!< 1/2 sum c
+    Matrix6d H;       //!< sum w J^T Q J, Gauss-Newton matrix for xi = (phi, delta)
+    Vector6d g;       //!< sum w J^T zTilde, gradient of the residual part of L with respect to xi, through S(R, s)
+    Matrix3d Zo, Go;  //!< sum w z z^T, sum Q: for Sigma, camera frame
+    Matrix3d Zb, Gb;  //!< sum w s^2 z z^T, sum s^2 Q: for Gamma
+    double L;         //!< negative log-likelihood, nat: 1/2 sum log D + misfit
+    double misfit;    //!< 1/2 sum c, or 1/2 (nu + 2) sum log(1 + c / nu)
+    double c, c2;     //!< sum c, sum c^2
     int inFront;      //!< points with s > 0
 };
 
-/** Terms of one point; the readable twin of the pass. `S_o` is R Sigma R^T. */
+/** Terms of one point; the readable twin of the pass. `S_o` is R Sigma R^T; both with what is known of the point. */
 CV_EXPORTS PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pose& pose, const Matrix3d& S_o,
-                                 const Matrix3d& Gamma);
+                                 const Matrix3d& Gamma, double tail = 0);
+CV_EXPORTS PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, const Noise& noise);
 
 /** One pass over the points: it reads, it adds, nothing else. No heap. */
 CV_EXPORTS RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise,

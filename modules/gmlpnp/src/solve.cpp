@@ -17,8 +17,9 @@ std::vector<Pose> startingPoses(const Correspondences& data, const Options& opti
 {
     if (options.guess)
         return {isotropicPose(data, data.fromObject(*options.guess))};
+    const double all = std::numeric_limits<double>::infinity();
     std::vector<Pose> poses;
-    for (const PoseCandidate& candidate : initialPoses(data))
+    for (const PoseCandidate& candidate : initialPoses(data, options.everyMinimum ? all : INITIAL_COST_RATIO))
         poses.push_back(candidate.pose);
     return poses;
 }
@@ -26,10 +27,20 @@ std::vector<Pose> startingPoses(const Correspondences& data, const Options& opti
 Estimate estimate(const Correspondences& data, const Pose& start, const Options& options)
 {
     const double unit = 1 / (data.scale * data.scale);
-    const std::optional<Matrix3d> Sigma = options.Sigma ? std::optional<Matrix3d>(unit * *options.Sigma) : std::nullopt;
+    const KnownNoise Sigma = options.Sigma ? KnownNoise(unit * *options.Sigma) : std::nullopt;
     if (options.method == SOLVEPNP_GMLPNP)
         return estimatePublished(data, start, Sigma, options.Gamma, options.stopping);
     return estimateMarginal(data, start, Sigma, options.Gamma, options.stopping);
+}
+
+// A guess is never made worse: the cost does not end above its own at the noise that was found.
+void keepGuessIfBetter(const Correspondences& data, const Pose& guess, Estimate& found)
+{
+    const RaySums sums = rayPass(data, guess, found.noise);
+    if (sums.L < found.sums.L) {
+        found.pose = guess;
+        found.sums = sums;
+    }
 }
 
 bool sound(const Estimate& estimate, int n)
@@ -38,42 +49,67 @@ bool sound(const Estimate& estimate, int n)
            2 * estimate.sums.inFront > n;
 }
 
-Solution toCaller(const Correspondences& data, const Estimate& found, bool noiseKnown)
+Solution toCaller(const Correspondences& data, const Estimate& found, const Options& options)
 {
     const int n = data.size();
     const double area = data.scale * data.scale;
     Solution solution{data.toObject(found.pose),
-                      {area * found.noise.Sigma, found.noise.Gamma},
+                      {area * found.noise.Sigma, found.noise.Gamma, found.noise.tail},
+                      found.kind,
+                      found.evidence,
                       found.rounds,
+                      found.converged,
                       found.sums.L + 2 * n * std::log(data.scale),
-                      std::nullopt};
-    if (noiseKnown || n > 3)
+                      std::nullopt,
+                      {}};
+    if (!options.extras)
+        return solution;
+    if (n > 3 || (options.Sigma && options.Gamma))
         solution.covariance = rescaled(poseCovariance(found, n), data.scale);
+    for (int i = 0; i < n; ++i)
+        solution.weights.push_back(pointTerms(data, i, found.pose, found.noise).w);
     return solution;
+}
+
+// Two poses are one when their difference is far below what any data can tell [rad, and share of the distance].
+constexpr double SAME_POSE = 1e-5;
+
+bool samePose(const Pose& a, const Pose& b)
+{
+    return (a.R - b.R).norm() < SAME_POSE && (a.t - b.t).norm() < SAME_POSE * b.t.norm();
 }
 
 }  // namespace
 
-Status solveRays(const Mat_<double>& objectPoints, const Mat_<double>& rays, const Options& options, Solution& solution)
+Status solveAll(const Observations& observations, const Options& options, std::vector<Solution>& solutions)
 {
-    if (objectPoints.rows < (options.guess ? 3 : 4))
+    if (observations.points.rows < (options.guess ? 3 : 4))
         return STATUS_TOO_FEW_POINTS;
-    if (!finite(objectPoints, rays))
+    if (!finite(observations.points, observations.rays))
         return STATUS_NOT_FINITE;
-    const Correspondences data(objectPoints, rays);
+    const Correspondences data(observations.points, observations.rays, observations.objectCovariances,
+                               observations.rayCovariances);
     if (data.degenerate())
         return STATUS_DEGENERATE;
 
-    std::optional<Estimate> best;
+    std::vector<Estimate> found;
     for (const Pose& start : startingPoses(data, options)) {
-        const Estimate found = estimate(data, start, options);
-        if (sound(found, data.size()) && (!best || found.sums.L < best->sums.L))
-            best = found;
+        Estimate candidate = estimate(data, start, options);
+        if (options.guess)
+            keepGuessIfBetter(data, data.fromObject(*options.guess), candidate);
+        const auto known = [&](const Estimate& other) { return samePose(other.pose, candidate.pose); };
+        if (sound(candidate, data.size()) && std::none_of(found.begin(), found.end(), known))
+            found.push_back(candidate);
     }
-    if (!best)
+    if (found.empty())
         return STATUS_DEGENERATE;
-    solution = toCaller(data, *best, options.Sigma && options.Gamma);
-    return best->converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS;
+    std::sort(found.begin(), found.end(), [](const Estimate& a, const Estimate& b) { return a.sums.L < b.sums.L; });
+    if (!options.everyMinimum)
+        found.resize(1);
+    solutions.clear();
+    for (const Estimate& each : found)
+        solutions.push_back(toCaller(data, each, options));
+    return found.front().converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS;
 }
 
 }  // namespace detail

@@ -11,13 +11,21 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
+/** What was observed, checked: N x 3 points and rays; known covariances N x 9 or empty. */
+struct Observations
+{
+    Mat_<double> points, rays, objectCovariances, rayCovariances;
+};
+
 /** Checked options, object frame and caller's units. */
 struct Options
 {
     Method method = SOLVEPNP_GMLPNP_MARGINAL;
     Stopping stopping{};
     std::optional<Pose> guess;
-    std::optional<Matrix3d> Sigma, Gamma;  // known noise
+    KnownNoise Sigma, Gamma;
+    bool everyMinimum = false;  //!< also those that noise cannot have swapped with the best
+    bool extras = true;         //!< covariance and weights
 };
 
 /** What a solve found, object frame and caller's units. */
@@ -25,14 +33,17 @@ struct Solution
 {
     Pose pose;
     Noise noise;
+    NoiseKind kind;
+    double evidence;
     int rounds;
+    bool converged;
     double cost;
     std::optional<Matrix6d> covariance;  // of xi; none without degrees of freedom to judge it by
+    std::vector<double> weights;         // of the tails
 };
 
-/** Pose and noise from N x 3 points and rays. On a status that is not a success `solution` is untouched. */
-CV_EXPORTS Status solveRays(const Mat_<double>& objectPoints, const Mat_<double>& rays, const Options& options,
-                            Solution& solution);
+/** The distinct poses, best first, with their noise; with a status that is not a success `solutions` is untouched. */
+CV_EXPORTS Status solveAll(const Observations& observations, const Options& options, std::vector<Solution>& solutions);
 
 }  // namespace detail
 }  // namespace gmlpnp

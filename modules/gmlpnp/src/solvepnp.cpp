@@ -5,144 +5,41 @@
 #include "precomp.hpp"
 
 #include "arrays.hpp"
-#include "solve.hpp"
+#include "boundary.hpp"
 #include "solvepnp.hpp"
 
-// The OpenCV boundary: arrays in and out, checks, cv-compatible names. No mathematics.
+// The public functions over the boundary: ours first, then OpenCV's own names.
 
 namespace cv {
 namespace gmlpnp {
-
-Params::Params()
-    : method(SOLVEPNP_GMLPNP_MARGINAL), maxRounds(0), tolerance(detail::DEFAULT_TOLERANCE), useExtrinsicGuess(false)
-{}
-
-Result::Result() : status(STATUS_TOO_FEW_POINTS), rounds(0), cost(0), objectNoiseRank(0), usedPoints(0) {}
 
 namespace {
 
 using namespace detail;
 
-Matrix3d toEigen(const Matx33d& M)
+bool solveOne(const Input& input, const Options& options, Result& result)
 {
-    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(M.val);
-}
-
-Vector3d toEigen(const Vec3d& v)
-{
-    return {v[0], v[1], v[2]};
-}
-
-Vec3d toVec(const Vector3d& v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-
-template <class Derived>
-Mat toMat(const Eigen::MatrixBase<Derived>& M)
-{
-    Mat_<double> out(static_cast<int>(M.rows()), static_cast<int>(M.cols()));
-    for (int i = 0; i < out.rows; ++i)
-        for (int j = 0; j < out.cols; ++j)
-            out(i, j) = M(i, j);
-    return std::move(out);
-}
-
-std::optional<Matrix3d> knownNoise(const Mat& given, const char* name)
-{
-    if (given.empty())
-        return std::nullopt;
-    const Matrix3d M = toEigen(Matx33d(matrixFrom(given, 3, 3, name)));
-    constexpr double ROUNDING = 1e-9;  // relative
-    const bool usable = M.allFinite() && (M - M.transpose()).norm() <= ROUNDING * M.norm() &&
-                        Eigen3d(symmetrised(M)).eigenvalues()(0) >= -ROUNDING * M.norm();
-    if (!usable)
-        CV_Error(Error::StsBadArg, format("%s must be symmetric positive semidefinite", name));
-    return symmetrised(M);
-}
-
-Options checked(const Params& params)
-{
-    if (params.method != SOLVEPNP_GMLPNP && params.method != SOLVEPNP_GMLPNP_MARGINAL)
-        CV_Error(Error::StsBadArg, format("method: %d is not one of cv::gmlpnp::Method", params.method));
-    if (params.maxRounds < 0)
-        CV_Error(Error::StsBadArg, format("maxRounds: %d is negative", params.maxRounds));
-    if (!(params.tolerance >= 0))
-        CV_Error(Error::StsBadArg, format("tolerance: %g is negative or not a number", params.tolerance));
-    Options options;
-    options.method = static_cast<Method>(params.method);
-    if (params.useExtrinsicGuess)
-        options.guess = Pose{expSO3(toEigen(params.rvec)), toEigen(params.tvec)};
-    options.Sigma = knownNoise(params.objectNoise, "objectNoise");
-    options.Gamma = knownNoise(params.bearingNoise, "bearingNoise");
-    const bool published = options.method == SOLVEPNP_GMLPNP && !options.Sigma;
-    options.stopping = defaultStopping(published);
-    if (params.maxRounds > 0)
-        options.stopping.maxRounds = params.maxRounds;
-    if (!published || params.tolerance == 0)
-        options.stopping.tolerance = params.tolerance;
-    if (options.Sigma && options.Gamma && options.Sigma->isZero(0) && options.Gamma->isZero(0))
-        CV_Error(Error::StsBadArg, "objectNoise and bearingNoise are both zero: there is nothing to weigh by");
-    return options;
-}
-
-void write(const Solution& solution, Status status, int usedPoints, Result& result)
-{
-    const Pose& pose = solution.pose;
-    Result out;
-    out.status = status;
-    out.rounds = solution.rounds;
-    out.cost = solution.cost;
-    out.rvec = toVec(logSO3(pose.R));
-    out.tvec = toVec(pose.t);
-    out.cameraCenter = toVec(-pose.R.transpose() * pose.t);
-    if (solution.covariance) {
-        out.poseCovariance = toMat(*solution.covariance);
-        out.poseCovarianceRt = toMat(toRvecTvec(*solution.covariance, pose));
-        out.cameraCenterCovariance = toMat(toCameraCenter(*solution.covariance, pose));
+    Status status;
+    std::vector<Solution> solutions;
+    if (!run(input, options, status, solutions)) {
+        result.status = status;
+        return false;
     }
-    out.objectNoise = toMat(solution.noise.Sigma);
-    out.bearingNoise = toMat(solution.noise.Gamma);
-    constexpr double NUMERICAL_RANK = 1e-6;  // of the largest variance
-    out.objectNoiseRank = rank(solution.noise.Sigma, NUMERICAL_RANK);
-    out.usedPoints = usedPoints;
-    result = out;
+    result = toResult(solutions.front(), status, input);
+    return true;
 }
 
-bool solveChecked(const Mat_<double>& points, const Mat_<double>& rays, const Options& options, Result& result)
+int solveEach(const Input& input, Options options, std::vector<Result>& results)
 {
-    const bool guessFinite = !options.guess || (options.guess->R.allFinite() && options.guess->t.allFinite());
-    Solution solution;
-    const Status status = guessFinite ? detail::solveRays(points, rays, options, solution) : STATUS_NOT_FINITE;
-    if (status == STATUS_CONVERGED || status == STATUS_MAX_ROUNDS) {
-        write(solution, status, points.rows, result);
-        return true;
-    }
-    result.status = status;
-    return false;
-}
-
-void checkSameCount(const Mat& points, const Mat& images, const char* name)
-{
-    if (points.rows != images.rows)
-        CV_Error(Error::StsAssert,
-                 format("objectPoints and %s differ in number: %d and %d", name, points.rows, images.rows));
-}
-
-// Rays of the pixels that have one, and the points that go with them.
-void keepValid(const Mat& valid, Mat_<double>& points, Mat_<double>& rays)
-{
-    const int used = countNonZero(valid);
-    if (used == points.rows)
-        return;
-    Mat_<double> keptPoints(used, 3), keptRays(used, 3);
-    for (int i = 0, k = 0; i < points.rows; ++i)
-        if (valid.at<uchar>(i)) {
-            points.row(i).copyTo(keptPoints.row(k));
-            rays.row(i).copyTo(keptRays.row(k++));
-        }
-    points = keptPoints;
-    rays = keptRays;
+    Status status;
+    std::vector<Solution> solutions;
+    options.everyMinimum = true;
+    if (!run(input, options, status, solutions))
+        return 0;
+    results.clear();
+    for (const Solution& solution : solutions)
+        results.push_back(toResult(solution, solution.converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS, input));
+    return static_cast<int>(results.size());
 }
 
 }  // namespace
@@ -150,30 +47,14 @@ void keepValid(const Mat& valid, Mat_<double>& points, Mat_<double>& rays)
 bool solveRays(InputArray objectPoints, InputArray rays, Result& result, const Params& params)
 {
     const Options options = checked(params);
-    const Mat_<double> points = pointsFrom(objectPoints, 3, "objectPoints"), directions = pointsFrom(rays, 3, "rays");
-    checkSameCount(points, directions, "rays");
-    return solveChecked(points, directions, options, result);
+    return solveOne(inputRays(objectPoints, rays, params), options, result);
 }
 
 bool solve(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera, Result& result,
            const Params& params)
 {
     const Options options = checked(params);
-    if (!camera)
-        CV_Error(Error::StsBadArg, "camera is null");
-    Mat_<double> points = pointsFrom(objectPoints, 3, "objectPoints");
-    const Mat_<double> pixels = pointsFrom(imagePoints, 2, "imagePoints");
-    checkSameCount(points, pixels, "imagePoints");
-    // A pixel that is not a number is bad data, not a pixel without a ray.
-    if (!checkRange(pixels, true, nullptr, -DBL_MAX, DBL_MAX)) {
-        result.status = STATUS_NOT_FINITE;
-        return false;
-    }
-    Mat rays, valid;
-    camera->unproject(pixels, rays, valid);
-    Mat_<double> directions = rays;
-    keepValid(valid, points, directions);
-    return solveChecked(points, directions, options, result);
+    return solveOne(inputPixels(objectPoints, imagePoints, camera, params), options, result);
 }
 
 bool solve(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
@@ -182,36 +63,27 @@ bool solve(InputArray objectPoints, InputArray imagePoints, InputArray cameraMat
     return solve(objectPoints, imagePoints, CameraModel::pinhole(cameraMatrix, distCoeffs), result, params);
 }
 
+int solveAll(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
+             std::vector<Result>& results, const Params& params)
+{
+    const Options options = checked(params);
+    return solveEach(inputPixels(objectPoints, imagePoints, camera, params), options, results);
+}
+
+int solveAll(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
+             std::vector<Result>& results, const Params& params)
+{
+    return solveAll(objectPoints, imagePoints, CameraModel::pinhole(cameraMatrix, distCoeffs), results, params);
+}
+
 namespace {
 
-Vec3d guessFrom(InputArray vec, const char* name)
-{
-    const Mat m = vec.getMat();
-    if (m.total() * m.channels() != 3 || (m.depth() != CV_32F && m.depth() != CV_64F))
-        CV_Error(Error::StsAssert, format("%s must hold 3 floating-point numbers to be a guess", name));
-    Mat_<double> flat;
-    m.reshape(1, 3).convertTo(flat, CV_64F);
-    return {flat(0), flat(1), flat(2)};
-}
-
-// 3x1, in the depth of the array that was passed, as cv::solvePnP does it.
-void writeVector(const Vec3d& v, OutputArray out)
-{
-    const int depth = out.empty() && !out.fixedType() ? CV_64F : out.depth();
-    Mat(v).convertTo(out, depth == CV_32F ? CV_32F : CV_64F);
-}
-
-}  // namespace
-
-bool detail::solvePnPWith(const Ptr<CameraModel>& camera, InputArray objectPoints, InputArray imagePoints,
-                          OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess, int flags)
+// Params of a call with one of our flags; StsBadArg for every other flag.
+Params paramsOf(int flags, bool useExtrinsicGuess, InputArray rvec, InputArray tvec)
 {
     if (flags != SOLVEPNP_GMLPNP && flags != SOLVEPNP_GMLPNP_MARGINAL)
         CV_Error(Error::StsBadArg,
                  format("flags: %d is neither of cv::SolvePnPMethod nor of cv::gmlpnp::Method", flags));
-    const size_t fewest = useExtrinsicGuess ? 3 : 4;
-    if (pointsFrom(objectPoints, 3, "objectPoints").rows < static_cast<int>(fewest))
-        CV_Error(Error::StsAssert, format("objectPoints: fewer than %d points", static_cast<int>(fewest)));
     Params params;
     params.method = flags;
     params.useExtrinsicGuess = useExtrinsicGuess;
@@ -219,12 +91,39 @@ bool detail::solvePnPWith(const Ptr<CameraModel>& camera, InputArray objectPoint
         params.rvec = guessFrom(rvec, "rvec");
         params.tvec = guessFrom(tvec, "tvec");
     }
-    Result result;
-    if (!solve(objectPoints, imagePoints, camera, result, params))
+    return params;
+}
+
+void checkEnough(InputArray objectPoints, bool useExtrinsicGuess)
+{
+    const int fewest = useExtrinsicGuess ? 3 : 4;
+    if (pointsFrom(objectPoints, 3, "objectPoints").rows < fewest)
+        CV_Error(Error::StsAssert, format("objectPoints: fewer than %d points", fewest));
+}
+
+bool solveToVectors(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
+                    const Params& params, OutputArray rvec, OutputArray tvec)
+{
+    Options options = checked(params);
+    options.extras = false;  // they could not be returned
+    Status status;
+    std::vector<Solution> solutions;
+    if (!run(inputPixels(objectPoints, imagePoints, camera, params), options, status, solutions))
         return false;
-    writeVector(result.rvec, rvec);
-    writeVector(result.tvec, tvec);
+    const Vector3d r = logSO3(solutions.front().pose.R), t = solutions.front().pose.t;
+    writeVector({r.x(), r.y(), r.z()}, rvec);
+    writeVector({t.x(), t.y(), t.z()}, tvec);
     return true;
+}
+
+}  // namespace
+
+bool detail::solvePnPWith(const Ptr<CameraModel>& camera, InputArray objectPoints, InputArray imagePoints,
+                          OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess, int flags)
+{
+    const Params params = paramsOf(flags, useExtrinsicGuess, rvec, tvec);
+    checkEnough(objectPoints, useExtrinsicGuess);
+    return solveToVectors(objectPoints, imagePoints, camera, params, rvec, tvec);
 }
 
 bool solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
@@ -234,6 +133,86 @@ bool solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray camera
         return cv::solvePnP(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, useExtrinsicGuess, flags);
     return detail::solvePnPWith(CameraModel::pinhole(cameraMatrix, distCoeffs), objectPoints, imagePoints, rvec, tvec,
                                 useExtrinsicGuess, flags);
+}
+
+namespace {
+
+// A list of 3-vectors: of matrices (3x1, CV_64F), or of the fixed type that was passed (Vec3d, Vec3f, Point3d...).
+void writeVectors(const std::vector<Vec3d>& vectors, OutputArrayOfArrays out)
+{
+    const int n = static_cast<int>(vectors.size());
+    if (out.kind() == _InputArray::STD_VECTOR) {
+        Mat(vectors).reshape(out.channels()).convertTo(out, out.depth());
+        return;
+    }
+    const int depth = out.fixedType() ? out.depth() : CV_64F;
+    out.create(n, 1, depth);
+    for (int i = 0; i < n; ++i) {
+        out.create(3, 1, depth, i);
+        Mat slot = out.getMat(i);
+        Mat(vectors[i]).convertTo(slot, depth);
+    }
+}
+
+// Root mean square over both coordinates of all points, as cv::solvePnPGeneric computes it.
+double reprojectionErrorOf(const Mat& points, const Mat& pixels, InputArray cameraMatrix, InputArray distCoeffs,
+                           const Result& result)
+{
+    Mat projected;
+    projectPoints(points, result.rvec, result.tvec, cameraMatrix, distCoeffs, projected);
+    return norm(projected.reshape(1, pixels.rows), pixels, NORM_L2) / std::sqrt(2. * pixels.rows);
+}
+
+}  // namespace
+
+int solvePnPGeneric(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
+                    OutputArrayOfArrays rvecs, OutputArrayOfArrays tvecs, bool useExtrinsicGuess, int flags,
+                    InputArray rvec, InputArray tvec, OutputArray reprojectionError)
+{
+    if (detail::isOpenCVFlag(flags))
+        return cv::solvePnPGeneric(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvecs, tvecs, useExtrinsicGuess,
+                                   static_cast<cv::SolvePnPMethod>(flags), rvec, tvec, reprojectionError);
+    const Params params = paramsOf(flags, useExtrinsicGuess, rvec, tvec);
+    checkEnough(objectPoints, useExtrinsicGuess);
+    std::vector<Result> results;
+    const int count = solveAll(objectPoints, imagePoints, cameraMatrix, distCoeffs, results, params);
+    if (count == 0)
+        return 0;
+    const Mat points = pointsFrom(objectPoints, 3, "objectPoints"), pixels = pointsFrom(imagePoints, 2, "imagePoints");
+    std::vector<Vec3d> rotations, translations;
+    Mat_<double> errors(count, 1);
+    for (int i = 0; i < count; ++i) {
+        rotations.push_back(results[i].rvec);
+        translations.push_back(results[i].tvec);
+        errors(i) = reprojectionErrorOf(points, pixels, cameraMatrix, distCoeffs, results[i]);
+    }
+    writeVectors(rotations, rvecs);
+    writeVectors(translations, tvecs);
+    if (reprojectionError.needed())
+        errors.convertTo(reprojectionError, reprojectionError.fixedType() ? reprojectionError.depth() : CV_64F);
+    return count;
+}
+
+void solvePnPRefine(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
+                    InputOutputArray rvec, InputOutputArray tvec, TermCriteria criteria)
+{
+    Params params = paramsOf(SOLVEPNP_GMLPNP_MARGINAL, true, rvec, tvec);
+    if (criteria.type & TermCriteria::COUNT)
+        params.maxRounds = criteria.maxCount;
+    checkEnough(objectPoints, true);
+    solveToVectors(objectPoints, imagePoints, CameraModel::pinhole(cameraMatrix, distCoeffs), params, rvec, tvec);
+}
+
+void solvePnPRefineLM(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
+                      InputOutputArray rvec, InputOutputArray tvec, TermCriteria criteria)
+{
+    cv::solvePnPRefineLM(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, criteria);
+}
+
+void solvePnPRefineVVS(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
+                       InputOutputArray rvec, InputOutputArray tvec, TermCriteria criteria, double VVSlambda)
+{
+    cv::solvePnPRefineVVS(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, criteria, VVSlambda);
 }
 
 }  // namespace gmlpnp

@@ -26,7 +26,7 @@ void expectPoints(InputArray given, const char* layout)
     const Mat_<double> points = pointsFrom(given, 3, "objectPoints");
     ASSERT_EQ(points.size(), Size(3, 5)) << layout;
     EXPECT_TRUE(points.isContinuous()) << layout;
-    EXPECT_EQ(norm(points, reference(), NORM_INF), 0) << layout;
+    EXPECT_EQ(cv::norm(points, reference(), NORM_INF), 0) << layout;
 }
 
 void expectRefused(InputArray given)
@@ -142,16 +142,16 @@ TEST(Gmlpnp_Arrays, matrices_of_any_depth)
     for (const int depth : {CV_8U, CV_8S, CV_16U, CV_16S, CV_32S, CV_32F, CV_64F}) {
         Mat given;
         K.convertTo(given, depth);
-        EXPECT_EQ(norm(matrixFrom(given, 3, 3, "K"), K, NORM_INF), 0) << depth;
+        EXPECT_EQ(cv::norm(matrixFrom(given, 3, 3, "K"), K, NORM_INF), 0) << depth;
     }
     Mat wide(3, 5, CV_64F, Scalar(7));
     Mat slice = wide.colRange(1, 4);
     K.copyTo(slice);
     const Mat_<double> dense = matrixFrom(slice, 3, 3, "K");
     EXPECT_TRUE(dense.isContinuous());
-    EXPECT_EQ(norm(dense, K, NORM_INF), 0);
-    EXPECT_EQ(norm(matrixFrom(Matx33f(K), 3, 3, "K"), K, NORM_INF), 0);
-    EXPECT_EQ(norm(matrixFrom(K.getUMat(ACCESS_READ), 3, 3, "K"), K, NORM_INF), 0);
+    EXPECT_EQ(cv::norm(dense, K, NORM_INF), 0);
+    EXPECT_EQ(cv::norm(matrixFrom(Matx33f(K), 3, 3, "K"), K, NORM_INF), 0);
+    EXPECT_EQ(cv::norm(matrixFrom(K.getUMat(ACCESS_READ), 3, 3, "K"), K, NORM_INF), 0);
 }
 
 TEST(Gmlpnp_Arrays, refused_matrices)

@@ -124,7 +124,7 @@ TEST(Gmlpnp_CameraDistortion, inverse_over_the_whole_domain)
                 ASSERT_GT(determinant(J), 0) << c.name << u;
                 ASSERT_TRUE(distortion.invert(d, back, Jback)) << c.name << u << determinant(J);
                 // A residual e is an error of e / (smallest singular value of J), at most.
-                ASSERT_LT(norm(u - back), 2e-12 * (1 + norm(d)) * norm(J) / determinant(J)) << c.name << u;
+                ASSERT_LT(cv::norm(u - back), 2e-12 * (1 + cv::norm(d)) * cv::norm(J) / determinant(J)) << c.name << u;
             }
         EXPECT_GT(inside, 300) << c.name;
         RecordProperty(std::string(c.name) + "_outside", outside);
@@ -143,7 +143,7 @@ TEST(Gmlpnp_CameraDistortion, inverse_is_never_wrong)
                 if (!distortion.invert({x, y}, u, J))
                     continue;
                 ASSERT_TRUE(distortion.contains(u)) << c.name;
-                ASSERT_LT(norm(distortion.apply(u, J) - Point2d(x, y)), 2e-12 * (1 + std::hypot(x, y))) << c.name;
+                ASSERT_LT(cv::norm(distortion.apply(u, J) - Point2d(x, y)), 2e-12 * (1 + std::hypot(x, y))) << c.name;
             }
     }
 }
@@ -166,8 +166,8 @@ TEST(Gmlpnp_CameraDistortion, random_coefficients)
                 continue;
             ++inside;
             const Point2d d = distortion.apply(u, J);
-            const double conditioned = std::min(1.0, determinant(J) / (1 + norm(J)));
-            lost += !(distortion.invert(d, back, J) && norm(u - back) * conditioned < 1e-12);
+            const double conditioned = std::min(1.0, determinant(J) / (1 + cv::norm(J)));
+            lost += !(distortion.invert(d, back, J) && cv::norm(u - back) * conditioned < 1e-12);
         }
     }
     EXPECT_GT(inside, 30000);
@@ -205,7 +205,7 @@ TEST(Gmlpnp_CameraDistortion, jacobian)
                 Jn(0, j) = d.x;
                 Jn(1, j) = d.y;
             }
-            EXPECT_LT(norm(J - Jn), 1e-9) << c.name << u;
+            EXPECT_LT(cv::norm(J - Jn), 1e-9) << c.name << u;
         }
     }
 }

@@ -57,9 +57,9 @@ TEST(Gmlpnp_CameraDoubleSphere, whole_domain)
                 const Vec3d m = direction(angle, 0.7);
                 ASSERT_TRUE(camera->projectPoint(m, pixel)) << xi << " " << alpha << " " << angle;
                 const Point2d expected = oracle(m, xi, alpha);
-                ASSERT_LT(norm(pixel - expected), 1e-10 * (1 + norm(expected))) << xi << " " << alpha;
+                ASSERT_LT(cv::norm(pixel - expected), 1e-10 * (1 + cv::norm(expected))) << xi << " " << alpha;
                 ASSERT_TRUE(camera->unprojectPoint(pixel, ray)) << xi << " " << alpha;
-                ASSERT_LT(norm(ray - m), 1e-11) << xi << " " << alpha << " " << angle;
+                ASSERT_LT(cv::norm(ray - m), 1e-11) << xi << " " << alpha << " " << angle;
             }
             EXPECT_TRUE(camera->projectPoint(direction(end - 1e-7, 0.7), pixel)) << xi << " " << alpha;
             EXPECT_FALSE(camera->projectPoint(direction(end + 1e-7, 0.7), pixel)) << xi << " " << alpha;
@@ -84,7 +84,7 @@ TEST(Gmlpnp_CameraDoubleSphere, the_bound_of_the_paper)
     const Ptr<CameraModel> camera = CameraModel::doubleSphere(kK, xi, alpha);
     Vec3d other;
     ASSERT_TRUE(camera->unprojectPoint(oracle(beyond, xi, alpha), other));
-    EXPECT_GT(norm(other - beyond), 0.5 * kDegree);
+    EXPECT_GT(cv::norm(other - beyond), 0.5 * kDegree);
     Point2d pixel;
     EXPECT_FALSE(camera->projectPoint(beyond, pixel));
 }
@@ -107,7 +107,7 @@ TEST(Gmlpnp_CameraDoubleSphere, coinciding_spheres_are_eucm_with_beta_one)
         Point2d a, b;
         ASSERT_TRUE(ds->projectPoint(m, a));
         ASSERT_TRUE(eucm->projectPoint(m, b));
-        ASSERT_LT(norm(a - b), 1e-10) << m;
+        ASSERT_LT(cv::norm(a - b), 1e-10) << m;
     }
 }
 

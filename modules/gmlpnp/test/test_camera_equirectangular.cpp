@@ -45,9 +45,9 @@ TEST_F(Gmlpnp_CameraEquirectangular, poles)
         Vec3d ray;
         Matx32d J;
         ASSERT_TRUE(camera->unprojectPoint({u, -0.5}, ray, &J));
-        EXPECT_LT(norm(ray - Vec3d(0, -1, 0)), 1e-15);
-        EXPECT_LT(norm(J.col(0)), 1e-15);  // rank 1
-        EXPECT_NEAR(norm(J.col(1)), CV_PI / H, 1e-15);
+        EXPECT_LT(cv::norm(ray - Vec3d(0, -1, 0)), 1e-15);
+        EXPECT_LT(cv::norm(J.col(0)), 1e-15);  // rank 1
+        EXPECT_NEAR(cv::norm(J.col(1)), CV_PI / H, 1e-15);
         EXPECT_FALSE(camera->unprojectPoint({u, -0.5001}, ray));
         EXPECT_FALSE(camera->unprojectPoint({u, H - 0.4999}, ray));
     }
@@ -61,7 +61,7 @@ TEST_F(Gmlpnp_CameraEquirectangular, every_pixel_of_the_picture)
             Point2d again;
             ASSERT_TRUE(camera->unprojectPoint(Point2d(u, v), ray));
             ASSERT_TRUE(camera->projectPoint(ray, again));
-            ASSERT_LT(norm(again - Point2d(u, v)), 1e-9) << u << " " << v;
+            ASSERT_LT(cv::norm(again - Point2d(u, v)), 1e-9) << u << " " << v;
         }
 }
 
@@ -70,7 +70,7 @@ TEST_F(Gmlpnp_CameraEquirectangular, the_picture_continues_around)
     Vec3d a, b;
     ASSERT_TRUE(camera->unprojectPoint({-3, 200}, a));
     ASSERT_TRUE(camera->unprojectPoint({W - 3, 200}, b));
-    EXPECT_LT(norm(a - b), 1e-14);
+    EXPECT_LT(cv::norm(a - b), 1e-14);
 }
 
 }  // namespace

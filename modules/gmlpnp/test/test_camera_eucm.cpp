@@ -41,9 +41,9 @@ TEST(Gmlpnp_CameraEucm, whole_domain)
                 const Vec3d m = direction(angle, 0.7);
                 ASSERT_TRUE(camera->projectPoint(m, pixel)) << alpha << " " << beta << " " << angle;
                 const Point2d expected = oracle(m, alpha, beta);
-                ASSERT_LT(norm(pixel - expected), 1e-10 * (1 + norm(expected))) << alpha << " " << beta;
+                ASSERT_LT(cv::norm(pixel - expected), 1e-10 * (1 + cv::norm(expected))) << alpha << " " << beta;
                 ASSERT_TRUE(camera->unprojectPoint(pixel, ray)) << alpha << " " << beta;
-                ASSERT_LT(norm(ray - m), 1e-11) << alpha << " " << beta << " " << angle;
+                ASSERT_LT(cv::norm(ray - m), 1e-11) << alpha << " " << beta << " " << angle;
             }
             EXPECT_TRUE(camera->projectPoint(direction(end - 1e-7, 0.7), pixel)) << alpha << " " << beta;
             EXPECT_FALSE(camera->projectPoint(direction(end + 1e-7, 0.7), pixel)) << alpha << " " << beta;
@@ -72,7 +72,7 @@ TEST(Gmlpnp_CameraEucm, beta_one_is_the_unified_camera)
         Point2d a, b;
         ASSERT_TRUE(eucm->projectPoint(m, a));
         ASSERT_TRUE(mei->projectPoint(m, b));
-        ASSERT_LT(norm(a - b), 1e-9) << m;
+        ASSERT_LT(cv::norm(a - b), 1e-9) << m;
     }
 }
 
@@ -82,7 +82,7 @@ TEST(Gmlpnp_CameraEucm, alpha_zero_is_the_pinhole)
     Mat a, b;
     CameraModel::eucm(K, 0, 1)->project(pointsInFront(3), a);
     CameraModel::pinhole(K)->project(pointsInFront(3), b);
-    EXPECT_LT(norm(a, b, NORM_INF), 1e-10);
+    EXPECT_LT(cv::norm(a, b, NORM_INF), 1e-10);
 }
 
 }  // namespace

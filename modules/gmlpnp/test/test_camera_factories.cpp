@@ -38,18 +38,18 @@ TEST_F(Gmlpnp_CameraModel, outputs_of_fixed_type)
     EXPECT_EQ(valid, std::vector<uchar>(3, 255));
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(doubles[i], Vec3d(expected.ptr<double>(i)));
-        EXPECT_LT(norm(Vec3f(floats[i]) - Vec3f(doubles[i])), 1e-7);
+        EXPECT_LT(cv::norm(Vec3f(floats[i]) - Vec3f(doubles[i])), 1e-7);
     }
     std::vector<Point2f> back;
     camera->project(doubles, back);
     ASSERT_EQ(back.size(), 3u);
-    EXPECT_LT(norm(Point2d(back[2]) - pixels[2]), 1e-4);
+    EXPECT_LT(cv::norm(Point2d(back[2]) - pixels[2]), 1e-4);
     Mat_<float> narrow;
     camera->unproject(pixels, narrow);
     EXPECT_EQ(narrow.size(), Size(3, 3));
     UMat device;
     camera->unproject(pixels, device);
-    EXPECT_EQ(norm(device.getMat(ACCESS_READ), expected, NORM_INF), 0);
+    EXPECT_EQ(cv::norm(device.getMat(ACCESS_READ), expected, NORM_INF), 0);
 }
 
 TEST_F(Gmlpnp_CameraModel, output_into_a_slice)
@@ -58,9 +58,9 @@ TEST_F(Gmlpnp_CameraModel, output_into_a_slice)
     camera->unproject(pixels, expected);
     Mat slice = wide.colRange(2, 5);
     camera->unproject(pixels, slice);
-    EXPECT_EQ(norm(wide.colRange(2, 5), expected, NORM_INF), 0);
-    EXPECT_EQ(norm(wide.colRange(0, 2), Mat::ones(3, 2, CV_64F), NORM_INF), 0);
-    EXPECT_EQ(norm(wide.colRange(5, 8), Mat::ones(3, 3, CV_64F), NORM_INF), 0);
+    EXPECT_EQ(cv::norm(wide.colRange(2, 5), expected, NORM_INF), 0);
+    EXPECT_EQ(cv::norm(wide.colRange(0, 2), Mat::ones(3, 2, CV_64F), NORM_INF), 0);
+    EXPECT_EQ(cv::norm(wide.colRange(5, 8), Mat::ones(3, 3, CV_64F), NORM_INF), 0);
 }
 
 TEST_F(Gmlpnp_CameraModel, misuse_names_the_argument)
@@ -98,7 +98,7 @@ TEST_F(Gmlpnp_CameraModel, a_lens_of_your_own)
     EXPECT_NEAR(rays.at<double>(0, 2), 0.8, 1e-15);
     EXPECT_EQ(valid.at<uchar>(1), 0);
     FileStorage fs(".yml", FileStorage::WRITE | FileStorage::MEMORY);
-    EXPECT_EQ(errorCode([&] { own.write(fs); }), Error::StsNotImplemented);
+    EXPECT_EQ(Error::StsNotImplemented, errorCode([&] { own.write(fs); }));
 }
 
 // The same checks of K stand before every lens that has one.
@@ -114,9 +114,9 @@ TEST(Gmlpnp_CameraFactories, camera_matrix)
         for (const int depth : {CV_8U, CV_16S, CV_32S, CV_32F, CV_64F}) {
             Mat K;
             Mat(matrixK(99, 98, 50, 40)).convertTo(K, depth);
-            EXPECT_EQ(errorCode([&] { make(K); }), 0) << depth;
+            EXPECT_EQ(0, errorCode([&] { make(K); })) << depth;
         }
-        EXPECT_EQ(errorCode([&] { make(Mat(3, 4, CV_64F, Scalar(1)).colRange(0, 3)); }), 0);
+        EXPECT_EQ(0, errorCode([&] { make(Mat(3, 4, CV_64F, Scalar(1)).colRange(0, 3)); }));
         expectError(Error::StsAssert, "K", [&] { make(Mat::eye(3, 4, CV_64F)); });
         expectError(Error::StsAssert, "K", [&] { make(std::vector<double>(9, 1.0)); });
         expectError(Error::StsAssert, "K", [&] { make(noArray()); });
@@ -133,16 +133,16 @@ TEST(Gmlpnp_CameraFactories, distortion_counts)
     for (int n = 0; n <= 16; ++n) {
         const std::vector<float> D(n, 0.001f);
         const bool brown = n == 0 || n == 4 || n == 5 || n == 8 || n == 12 || n == 14, four = n == 0 || n == 4;
-        EXPECT_EQ(errorCode([&] { CameraModel::pinhole(kTum, D); }), brown ? 0 : Error::StsAssert) << n;
-        EXPECT_EQ(errorCode([&] { CameraModel::pinhole(kTum, Mat(D).reshape(1, std::min(n, 1))); }),
-                  brown ? 0 : Error::StsAssert)
+        EXPECT_EQ(brown ? 0 : Error::StsAssert, errorCode([&] { CameraModel::pinhole(kTum, D); })) << n;
+        EXPECT_EQ(brown ? 0 : Error::StsAssert,
+                  errorCode([&] { CameraModel::pinhole(kTum, Mat(D).reshape(1, std::min(n, 1))); }))
             << n;
-        EXPECT_EQ(errorCode([&] { CameraModel::fisheye(kTum, D); }), four ? 0 : Error::StsAssert) << n;
-        EXPECT_EQ(errorCode([&] { CameraModel::omnidir(kTum, D, 1); }), four ? 0 : Error::StsAssert) << n;
+        EXPECT_EQ(four ? 0 : Error::StsAssert, errorCode([&] { CameraModel::fisheye(kTum, D); })) << n;
+        EXPECT_EQ(four ? 0 : Error::StsAssert, errorCode([&] { CameraModel::omnidir(kTum, D, 1); })) << n;
     }
     expectError(Error::StsAssert, "D", [] { CameraModel::pinhole(kTum, Mat(2, 2, CV_64F, Scalar(0))); });
     expectError(Error::StsBadArg, "D", [] { CameraModel::pinhole(kTum, Coefficients{0, 0, HUGE_VAL, 0}); });
-    EXPECT_EQ(errorCode([] { CameraModel::pinhole(kTum, Vec4d(0.1, 0, 0, 0)); }), 0);
+    EXPECT_EQ(0, errorCode([] { CameraModel::pinhole(kTum, Vec4d(0.1, 0, 0, 0)); }));
 }
 
 TEST(Gmlpnp_CameraFactories, parameters)

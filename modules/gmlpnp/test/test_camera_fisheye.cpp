@@ -33,7 +33,7 @@ TEST(Gmlpnp_CameraFisheye, equals_the_formula_in_all_directions)
         Point2d pixel;
         ASSERT_TRUE(camera->projectPoint(m, pixel));
         const Point2d expected = m[0] == 0 ? Point2d(kK(0, 2), kK(1, 2)) : oracle(m, kK, kD);
-        ASSERT_LT(norm(pixel - expected), 1e-11) << m;
+        ASSERT_LT(cv::norm(pixel - expected), 1e-11) << m;
     }
 }
 
@@ -45,7 +45,7 @@ TEST(Gmlpnp_CameraFisheye, equals_projectPoints_in_front)
     Mat pixels, valid;
     CameraModel::fisheye(kK, kD)->project(points, pixels, valid);
     ASSERT_EQ(countNonZero(valid), static_cast<int>(points.size()));
-    EXPECT_LT(norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
+    EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
 }
 
 TEST(Gmlpnp_CameraFisheye, skew_is_alpha_of_OpenCV)
@@ -58,7 +58,7 @@ TEST(Gmlpnp_CameraFisheye, skew_is_alpha_of_OpenCV)
     fisheye::projectPoints(points, expected, kZero, kZero, kK, kD, alpha);
     Mat pixels;
     CameraModel::fisheye(skewed, kD)->project(points, pixels);
-    EXPECT_LT(norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
+    EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
 }
 
 TEST(Gmlpnp_CameraFisheye, equals_undistortPoints_in_front)
@@ -71,7 +71,7 @@ TEST(Gmlpnp_CameraFisheye, equals_undistortPoints_in_front)
         Vec3d ray;
         ASSERT_TRUE(camera->unprojectPoint(pixel[0], ray));
         // OpenCV stops at a step of 1e-8 rad and works on tangents.
-        EXPECT_LT(norm(Point2d(ray[0] / ray[2], ray[1] / ray[2]) - plane[0]), 1e-7 * (1 + norm(plane[0]))) << m;
+        EXPECT_LT(cv::norm(Point2d(ray[0] / ray[2], ray[1] / ray[2]) - plane[0]), 1e-7 * (1 + cv::norm(plane[0]))) << m;
     }
 }
 
@@ -84,8 +84,8 @@ TEST(Gmlpnp_CameraFisheye, projectPoints_loses_the_sign_of_z)
         fisheye::projectPoints(std::vector<Point3d>{{m[0], m[1], m[2]}}, theirs, kZero, kZero, kK, kD);
         Point2d ours;
         ASSERT_TRUE(CameraModel::fisheye(kK, kD)->projectPoint(m, ours));
-        EXPECT_LT(norm(ours - oracle(m, kK, kD)), 1e-10);
-        EXPECT_GT(norm(theirs[0] - oracle(m, kK, kD)), 400) << angle;  // px: on the other side of the picture
+        EXPECT_LT(cv::norm(ours - oracle(m, kK, kD)), 1e-10);
+        EXPECT_GT(cv::norm(theirs[0] - oracle(m, kK, kD)), 400) << angle;  // px: on the other side of the picture
     }
 }
 
@@ -98,10 +98,10 @@ TEST(Gmlpnp_CameraFisheye, undistortPoints_ends_at_a_right_angle)
     ASSERT_TRUE(camera->projectPoint(m, pixel[0]));
     fisheye::undistortPoints(pixel, plane, kK, kD);
     const Vec3d theirs = normalize(Vec3d(plane[0].x, plane[0].y, 1));
-    EXPECT_GT(norm(theirs - m), 9 * kDegree);
+    EXPECT_GT(cv::norm(theirs - m), 9 * kDegree);
     Vec3d ours;
     ASSERT_TRUE(camera->unprojectPoint(pixel[0], ours));
-    EXPECT_LT(norm(ours - m), 1e-14);
+    EXPECT_LT(cv::norm(ours - m), 1e-14);
 }
 
 TEST(Gmlpnp_CameraFisheye, domain_ends_at_the_turning_point)
@@ -119,7 +119,7 @@ TEST(Gmlpnp_CameraFisheye, domain_ends_at_the_turning_point)
         const Vec3d m = direction(angle, 2.2);
         ASSERT_TRUE(camera->projectPoint(m, pixel));
         ASSERT_TRUE(camera->unprojectPoint(pixel, ray));
-        ASSERT_LT(norm(ray - m), 1e-12) << angle;
+        ASSERT_LT(cv::norm(ray - m), 1e-12) << angle;
     }
 }
 

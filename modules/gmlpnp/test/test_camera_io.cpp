@@ -5,34 +5,15 @@
 #include "test_precomp.hpp"
 
 #include "test_camera_util.hpp"
+#include "test_data.hpp"
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 
 namespace opencv_test {
 namespace {
 
 using namespace camera;
-
-// Where the real data lie; empty where they do not.
-std::string dataFile(const std::string& name)
-{
-    std::vector<std::string> folders;
-    if (const char* folder = std::getenv("GMLPNP_DATA"))
-        folders.emplace_back(folder);
-#ifdef GMLPNP_SOURCE_DIR
-    folders.emplace_back(std::string(GMLPNP_SOURCE_DIR) + "/../shared/data");
-#endif
-    for (std::string path : folders) {
-        path.append("/").append(name);
-        if (std::ifstream(path))
-            return path;
-    }
-    return std::string();
-}
-
-const char* const kNoData = "data not found: set GMLPNP_DATA";
 
 Ptr<CameraModel> readText(const String& text, const String& model = String())
 {
@@ -179,7 +160,7 @@ TEST(Gmlpnp_CameraIo, malformed_files_name_the_field_and_the_file)
     refuses(K + "D: [0, 0, 0]\n", "'D'", Error::StsAssert);
     refuses("K: [0, 0, 630.5, 0, 409.25, 431.5, 0, 0, 1]\n" + D, "'K'", Error::StsBadArg);
     refuses(K + D + "xi: .NaN\n", "'xi'", Error::StsBadArg);
-    EXPECT_EQ(errorCode([] { CameraModel::read(FileNode()); }), Error::StsParseError);
+    EXPECT_EQ(Error::StsParseError, errorCode([] { CameraModel::read(FileNode()); }));
     expectError(Error::StsObjectNotFound, "/no/such/file.yml", [] { CameraModel::load("/no/such/file.yml"); });
 }
 
@@ -217,11 +198,11 @@ TEST(Gmlpnp_CameraIo, kitti360)
                 Vec3d ray;
                 Point2d again;
                 if (!camera->unprojectPoint(Point2d(u, v), ray)) {
-                    ASSERT_GT(norm(Point2d(u, v) - Point2d(705, 705)), 690) << u << " " << v;  // black corners
+                    ASSERT_GT(cv::norm(Point2d(u, v) - Point2d(705, 705)), 690) << u << " " << v;  // black corners
                     continue;
                 }
                 ASSERT_TRUE(camera->projectPoint(ray, again));
-                ASSERT_LT(norm(again - Point2d(u, v)), 1e-9) << u << " " << v;
+                ASSERT_LT(cv::norm(again - Point2d(u, v)), 1e-9) << u << " " << v;
             }
     }
 }
@@ -229,31 +210,14 @@ TEST(Gmlpnp_CameraIo, kitti360)
 // The calibration's own board poses reproject its corners to its rms of 0.81 px.
 TEST(Gmlpnp_CameraIo, omnidirectional_chessboard)
 {
-    const std::string file = dataFile("omnidir_chessboard/calibration.yml");
-    const std::string corners = dataFile("omnidir_chessboard/omni_calib_data.xml");
-    if (file.empty() || corners.empty())
+    const BoardCalibration boards = omnidirChessboard();
+    if (boards.views.empty())
         GMLPNP_SKIP(kNoData);
-    const Ptr<CameraModel> camera = CameraModel::load(file);
-    const FileStorage poses(file, FileStorage::READ), data(corners, FileStorage::READ);
-    Mat rvecs, tvecs;
-    poses["rvecs"] >> rvecs;
-    poses["tvecs"] >> tvecs;
     double squares = 0;
     int n = 0;
-    for (int i = 0; i < rvecs.rows; ++i) {
-        Mat board, seen;
-        data["objectPoints"][i] >> board;
-        data["imagePoints"][i] >> seen;
-        seen.convertTo(seen, CV_64F);
-        Matx33d R;
-        Rodrigues(rvecs.row(i), R);
-        for (int j = 0; j < static_cast<int>(board.total()); ++j) {
-            Point2d pixel;
-            ASSERT_TRUE(camera->projectPoint(R * board.at<Vec3d>(j) + Vec3d(tvecs.ptr<double>(i)), pixel));
-            const Point2d e = pixel - Point2d(seen.at<Vec2d>(j));
-            squares += e.dot(e);
-            ++n;
-        }
+    for (const BoardView& view : boards.views) {
+        squares += squaredPixelErrors(*boards.camera, view, view.rvec, view.tvec);
+        n += view.corners.rows;
     }
     ASSERT_EQ(n, 15 * 54);
     EXPECT_NEAR(std::sqrt(squares / n), 0.81, 0.02);

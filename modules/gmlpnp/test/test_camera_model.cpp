@@ -98,7 +98,7 @@ TEST_P(Gmlpnp_Camera, rays_to_pixels_and_back)
         ASSERT_TRUE(camera->projectPoint(m, pixel)) << m;
         ASSERT_TRUE(camera->unprojectPoint(pixel, ray)) << m << pixel;
         ASSERT_NEAR(ray.dot(ray), 1, 1e-14) << m;
-        worst = std::max(worst, norm(ray - m));
+        worst = std::max(worst, cv::norm(ray - m));
     }
     EXPECT_LT(worst, 1e-12);
     RecordProperty("worst_rad", std::to_string(worst));
@@ -115,7 +115,7 @@ TEST_P(Gmlpnp_Camera, pixels_to_rays_and_back)
         if (!camera->unprojectPoint(rounded, ray))
             continue;  // rounding left the domain
         ASSERT_TRUE(camera->projectPoint(ray, again)) << rounded;
-        worst = std::max(worst, norm(again - rounded) / (1 + norm(rounded)));
+        worst = std::max(worst, cv::norm(again - rounded) / (1 + cv::norm(rounded)));
     }
     EXPECT_LT(worst, 1e-12);  // relative
 }
@@ -127,7 +127,7 @@ TEST_P(Gmlpnp_Camera, length_of_the_point_does_not_matter)
             Point2d unit, scaled;
             ASSERT_TRUE(camera->projectPoint(grid[i], unit));
             ASSERT_TRUE(camera->projectPoint(grid[i] * length, scaled)) << grid[i] << length;
-            ASSERT_LT(norm(unit - scaled), 1e-10 * (1 + norm(unit))) << grid[i] << length;
+            ASSERT_LT(cv::norm(unit - scaled), 1e-10 * (1 + cv::norm(unit))) << grid[i] << length;
         }
 }
 
@@ -140,11 +140,11 @@ TEST_P(Gmlpnp_Camera, jacobian_is_the_derivative_and_tangent)
         Matx32d J, Jn;
         ASSERT_TRUE(camera->projectPoint(m, pixel));
         ASSERT_TRUE(camera->unprojectPoint(pixel, ray, &J));
-        const double size = norm(J);
-        ASSERT_LT(norm(ray.t() * J), 1e-13 * size) << m;
+        const double size = cv::norm(J);
+        ASSERT_LT(cv::norm(ray.t() * J), 1e-13 * size) << m;
         if (!numericJacobian(*camera, pixel, 1e-4 / size, Jn))
             continue;  // a neighbour lies outside of the domain
-        ASSERT_LT(norm(J - Jn), 1e-8 * size) << m << "\n" << J << "\n" << Jn;
+        ASSERT_LT(cv::norm(J - Jn), 1e-8 * size) << m << "\n" << J << "\n" << Jn;
         ++compared;
     }
     EXPECT_GT(compared, static_cast<int>(grid.size() * 9 / 10));
@@ -161,7 +161,7 @@ TEST_P(Gmlpnp_Camera, jacobian_agrees_with_projection)
         ASSERT_TRUE(camera->unprojectPoint(pixel, ray, &J));
         const Vec2d step(1e-5, -2e-5);  // px
         ASSERT_TRUE(camera->projectPoint(ray + J * step, moved));
-        ASSERT_LT(norm(moved - pixel - Point2d(step)), 1e-8 + 1e-12 * norm(pixel)) << m;
+        ASSERT_LT(cv::norm(moved - pixel - Point2d(step)), 1e-8 + 1e-12 * cv::norm(pixel)) << m;
     }
 }
 
@@ -208,7 +208,7 @@ TEST_P(Gmlpnp_Camera, extreme_pixels_give_a_unit_ray_or_none)
             if (!camera->unprojectPoint(pixel, ray, &J))
                 continue;
             EXPECT_NEAR(ray.dot(ray), 1, 1e-12) << pixel;
-            EXPECT_TRUE(std::isfinite(norm(J))) << pixel;
+            EXPECT_TRUE(std::isfinite(cv::norm(J))) << pixel;
         }
 }
 
@@ -247,7 +247,7 @@ TEST_P(Gmlpnp_Camera, masks_of_projection)
     camera->project(points, pixels, valid);
     ASSERT_EQ(pixels.size(), Size(2, 4));
     EXPECT_EQ(Vec4b(valid.ptr()), Vec4b(255, 0, 0, 255));
-    EXPECT_EQ(norm(pixels.rowRange(1, 3)), 0);
+    EXPECT_EQ(cv::norm(pixels.rowRange(1, 3)), 0);
     Point2d first;
     ASSERT_TRUE(camera->projectPoint(Vec3d(points[0].x, points[0].y, points[0].z), first));
     EXPECT_EQ(pixels.at<double>(0, 0), first.x);

@@ -38,7 +38,7 @@ TEST(Gmlpnp_CameraOmnidir, equals_the_formula_in_all_directions)
     for (const Vec3d& m : polarGrid(140 * kDegree)) {
         Point2d pixel;
         ASSERT_TRUE(camera->projectPoint(m, pixel));
-        ASSERT_LT(norm(pixel - oracle(m, kK, kD, kXi)), 1e-10) << m;
+        ASSERT_LT(cv::norm(pixel - oracle(m, kK, kD, kXi)), 1e-10) << m;
     }
 }
 
@@ -54,7 +54,7 @@ TEST(Gmlpnp_CameraOmnidir, domain)
             const Vec3d m = direction(angle, 0.7);
             ASSERT_TRUE(camera->projectPoint(m, pixel)) << xi;
             ASSERT_TRUE(camera->unprojectPoint(pixel, ray)) << xi;
-            ASSERT_LT(norm(ray - m), 1e-11) << xi << " at " << angle;
+            ASSERT_LT(cv::norm(ray - m), 1e-11) << xi << " at " << angle;
         }
         EXPECT_TRUE(camera->projectPoint(direction(end - 1e-6, 0.7), pixel)) << xi;
         // With xi = 1 only the point straight behind is left.
@@ -75,7 +75,7 @@ TEST(Gmlpnp_CameraOmnidir, without_mirror_and_skew_it_is_the_pinhole)
     Mat a, b;
     CameraModel::omnidir(K, kD, 0)->project(pointsInFront(0.8), a);
     CameraModel::pinhole(K, kD)->project(pointsInFront(0.8), b);
-    EXPECT_LT(norm(a, b, NORM_INF), 1e-10);
+    EXPECT_LT(cv::norm(a, b, NORM_INF), 1e-10);
 }
 
 #ifdef GMLPNP_COMPARE_WITH_OMNIDIR
@@ -90,7 +90,7 @@ TEST(Gmlpnp_CameraOmnidir, equals_cv_omnidir_projectPoints)
     Mat pixels, valid;
     CameraModel::omnidir(kK, kD, kXi)->project(points, pixels, valid);
     ASSERT_EQ(countNonZero(valid), static_cast<int>(points.size()));
-    EXPECT_LT(norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-9);
+    EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-9);
 }
 
 TEST(Gmlpnp_CameraOmnidir, equals_cv_omnidir_undistortPoints_in_front)
@@ -102,7 +102,8 @@ TEST(Gmlpnp_CameraOmnidir, equals_cv_omnidir_undistortPoints_in_front)
         ASSERT_TRUE(camera->projectPoint(m, pixel[0]));
         omnidir::undistortPoints(pixel, plane, kK, kD, Mat(1, 1, CV_64F, Scalar(kXi)), Matx33d::eye());
         ASSERT_TRUE(camera->unprojectPoint(pixel[0], ray));
-        EXPECT_LT(norm(Point2d(ray[0] / ray[2], ray[1] / ray[2]) - plane[0]), 1e-9 * (1 + plane[0].dot(plane[0]))) << m;
+        EXPECT_LT(cv::norm(Point2d(ray[0] / ray[2], ray[1] / ray[2]) - plane[0]), 1e-9 * (1 + plane[0].dot(plane[0])))
+            << m;
     }
 }
 
@@ -114,10 +115,10 @@ TEST(Gmlpnp_CameraOmnidir, cv_omnidir_undistortPoints_ends_at_a_right_angle)
     const Vec3d m = direction(110 * kDegree, 0.3);
     ASSERT_TRUE(camera->projectPoint(m, pixel[0]));
     omnidir::undistortPoints(pixel, plane, kK, kD, Mat(1, 1, CV_64F, Scalar(kXi)), Matx33d::eye());
-    EXPECT_LT(norm(normalize(Vec3d(plane[0].x, plane[0].y, 1)) + m), 1e-6);
+    EXPECT_LT(cv::norm(normalize(Vec3d(plane[0].x, plane[0].y, 1)) + m), 1e-6);
     Vec3d ours;
     ASSERT_TRUE(camera->unprojectPoint(pixel[0], ours));
-    EXPECT_LT(norm(ours - m), 1e-13);
+    EXPECT_LT(cv::norm(ours - m), 1e-13);
 }
 
 // Where cv::omnidir is not right: its 20 fixed-point steps do not invert a strong distortion.
@@ -129,10 +130,10 @@ TEST(Gmlpnp_CameraOmnidir, cv_omnidir_undistortPoints_diverges)
     const Vec3d m = direction(85 * kDegree, 0.3);
     ASSERT_TRUE(camera->projectPoint(m, pixel[0]));
     omnidir::undistortPoints(pixel, plane, kK, strong, Mat(1, 1, CV_64F, Scalar(1)), Matx33d::eye());
-    EXPECT_FALSE(norm(normalize(Vec3d(plane[0].x, plane[0].y, 1)) - m) < 1 * kDegree);
+    EXPECT_FALSE(cv::norm(normalize(Vec3d(plane[0].x, plane[0].y, 1)) - m) < 1 * kDegree);
     Vec3d ours;
     ASSERT_TRUE(camera->unprojectPoint(pixel[0], ours));
-    EXPECT_LT(norm(ours - m), 1e-13);
+    EXPECT_LT(cv::norm(ours - m), 1e-13);
 }
 
 #endif  // GMLPNP_COMPARE_WITH_OMNIDIR

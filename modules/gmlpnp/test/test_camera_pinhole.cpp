@@ -32,7 +32,7 @@ TEST_P(Gmlpnp_CameraPinholeCounts, equals_projectPoints)
     Mat pixels, valid;
     CameraModel::pinhole(kK, D)->project(points, pixels, valid);
     ASSERT_EQ(countNonZero(valid), static_cast<int>(points.size()));
-    EXPECT_LT(norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
+    EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
 }
 
 TEST_P(Gmlpnp_CameraPinholeCounts, equals_undistortPoints_iterated_to_convergence)
@@ -48,7 +48,7 @@ TEST_P(Gmlpnp_CameraPinholeCounts, equals_undistortPoints_iterated_to_convergenc
     for (int i = 0; i < rays.rows; ++i) {
         ASSERT_EQ(valid.at<uchar>(i), 255);
         const double* m = rays.ptr<double>(i);
-        EXPECT_LT(norm(Point2d(m[0] / m[2], m[1] / m[2]) - plane[i]), 1e-11);
+        EXPECT_LT(cv::norm(Point2d(m[0] / m[2], m[1] / m[2]) - plane[i]), 1e-11);
     }
 }
 
@@ -62,7 +62,7 @@ TEST(Gmlpnp_CameraPinhole, skew_is_ignored_as_in_OpenCV)
     projectPoints(points, kZero, kZero, skewed, kWide, expected);
     Mat pixels;
     CameraModel::pinhole(skewed, kWide)->project(points, pixels);
-    EXPECT_LT(norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
+    EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
 }
 
 // The whole picture of real lenses: every pixel has a ray, and the ray leads back to the pixel.
@@ -77,7 +77,7 @@ TEST(Gmlpnp_CameraPinhole, wide_lenses_over_the_whole_picture)
                 Point2d again;
                 ASSERT_TRUE(camera->unprojectPoint(Point2d(u, v), ray)) << u << " " << v;
                 ASSERT_TRUE(camera->projectPoint(ray, again));
-                ASSERT_LT(norm(again - Point2d(u, v)), 1e-10) << u << " " << v;
+                ASSERT_LT(cv::norm(again - Point2d(u, v)), 1e-10) << u << " " << v;
             }
 }
 
@@ -89,7 +89,7 @@ TEST(Gmlpnp_CameraPinhole, undistortPoints_stops_too_early)
     std::vector<Point2d> plane, back;
     undistortPoints(corner, plane, K, kWide);
     projectPoints(std::vector<Point3d>{{plane[0].x, plane[0].y, 1}}, kZero, kZero, K, kWide, back);
-    EXPECT_GT(norm(back[0] - corner[0]), 0.2);  // px
+    EXPECT_GT(cv::norm(back[0] - corner[0]), 0.2);  // px
 }
 
 // Where OpenCV is not right: what lies beyond the fold is projected into the picture, what lies behind is mirrored.
@@ -104,7 +104,7 @@ TEST(Gmlpnp_CameraPinhole, projectPoints_folds_and_mirrors)
     Mat pixels, valid;
     CameraModel::pinhole(kK, barrel)->project(points, pixels, valid);
     EXPECT_EQ(countNonZero(valid), 0);
-    EXPECT_EQ(norm(pixels), 0);
+    EXPECT_EQ(cv::norm(pixels), 0);
 }
 
 TEST(Gmlpnp_CameraPinhole, pixels_beyond_the_fold_have_no_ray)
@@ -135,7 +135,7 @@ TEST(Gmlpnp_CameraPinhole, undistorted_jacobian_in_closed_form)
     Matx32d J;
     ASSERT_TRUE(CameraModel::pinhole(kK)->unprojectPoint({318.6, 255.3}, ray, &J));
     EXPECT_EQ(ray, Vec3d(0, 0, 1));
-    EXPECT_LT(norm(J - Matx32d(1 / 517.3, 0, 0, 1 / 516.5, 0, 0)), 1e-18);
+    EXPECT_LT(cv::norm(J - Matx32d(1 / 517.3, 0, 0, 1 / 516.5, 0, 0)), 1e-18);
 }
 
 TEST(Gmlpnp_CameraPinhole, sensor_tilted_by_a_right_angle)

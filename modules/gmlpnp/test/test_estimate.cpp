@@ -72,7 +72,7 @@ TEST(Gmlpnp_Estimate, publishedCovarianceCollapsesAndIsFinite)
     cv::RNG rng = testRng();
     for (int rounds : {1, 5, 30}) {
         const Problem p = problem(paperScene(rng, 50, 0.1, 1));
-        const Estimate found = estimatePublished(p.data, p.start, {}, {}, {rounds, 0});
+        const Estimate found = estimatePublished(p.data, p.start, {}, {}, {rounds, 0, false});
         EXPECT_EQ(rounds, found.rounds);
         EXPECT_TRUE(found.noise.Sigma.allFinite());
         EXPECT_TRUE(found.sums.H.allFinite());
@@ -98,9 +98,9 @@ TEST(Gmlpnp_Estimate, zeroToleranceRunsAllRounds)
 {
     cv::RNG rng = testRng();
     const Problem p = problem(paperScene(rng, 60, 0.1, 1));
-    const Noise start{1e-3 * Matrix3d::Identity(), Matrix3d::Zero()};
-    EXPECT_EQ(13, alternate(p.data, p.start, start, NoiseKind::OBJECT, {13, 0}).rounds);
-    EXPECT_LT(alternate(p.data, p.start, start, NoiseKind::OBJECT, {100, 1}).rounds, 13);
+    const Noise start{1e-3 * Matrix3d::Identity(), Matrix3d::Zero(), 0};
+    EXPECT_EQ(13, alternate(p.data, p.start, start, NoiseKind::OBJECT, {13, 0, false}).rounds);
+    EXPECT_LT(alternate(p.data, p.start, start, NoiseKind::OBJECT, {100, 1, false}).rounds, 13);
 }
 
 // A start far away: each step that does not fall is halved, so the isotropic cost comes down in the end.

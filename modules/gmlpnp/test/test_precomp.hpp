@@ -15,6 +15,15 @@
 
 namespace opencv_test {
 using namespace cv;
+// `ts` has functions of these names and makes tests write cv:: before OpenCV's; what compiles here shall compile there.
+class this_name_needs_cv_before_it;
+using norm = this_name_needs_cv_before_it;
+using add = this_name_needs_cv_before_it;
+using multiply = this_name_needs_cv_before_it;
+using divide = this_name_needs_cv_before_it;
+using transpose = this_name_needs_cv_before_it;
+using compare = this_name_needs_cv_before_it;
+using threshold = this_name_needs_cv_before_it;
 }  // namespace opencv_test
 
 // Ends the test as skipped, with the reason.

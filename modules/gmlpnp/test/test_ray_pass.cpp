@@ -108,32 +108,29 @@ RaySums sumsByPointTerms(const Correspondences& data, const Pose& pose, const No
     RaySums sums;
     sums.H.setZero(), sums.g.setZero();
     sums.Zo.setZero(), sums.Go.setZero(), sums.Zb.setZero(), sums.Gb.setZero();
-    sums.L = sums.c = sums.inFront = 0;
-    const Matrix3d S_o = pose.R * noise.Sigma * pose.R.transpose();
+    sums.L = sums.misfit = sums.c = sums.c2 = sums.inFront = 0;
     for (int i = 0; i < data.size(); ++i) {
-        const PointTerms at = pointTerms(data.pointAt(i), data.rayAt(i), pose, S_o, noise.Gamma);
+        const PointTerms at = pointTerms(data, i, pose, noise);
         Eigen::Matrix<double, 3, 6> J;
         J << -hat(at.Xhat), Matrix3d::Identity();
-        sums.H += J.transpose() * at.Q * J;
-        sums.g += J.transpose() * at.zTilde;
-        sums.Zo += at.z * at.z.transpose();
+        sums.H += at.w * J.transpose() * at.Q * J;
+        sums.g += at.w * J.transpose() * at.zTilde;
+        sums.Zo += at.w * at.z * at.z.transpose();
         sums.Go += at.Q;
-        sums.Zb += at.s * at.s * at.z * at.z.transpose();
+        sums.Zb += at.w * at.s * at.s * at.z * at.z.transpose();
         sums.Gb += at.s * at.s * at.Q;
-        sums.c += 0.5 * at.c;
-        sums.L += 0.5 * (std::log(at.D) + at.c);
+        const double misfit = noise.tail > 0 ? (0.5 / noise.tail + 1) * std::log(1 + at.c * noise.tail) : 0.5 * at.c;
+        sums.c += at.c;
+        sums.c2 += at.c * at.c;
+        sums.misfit += misfit;
+        sums.L += 0.5 * std::log(at.D) + misfit;
         sums.inFront += at.s > 0;
     }
     return sums;
 }
 
-TEST(Gmlpnp_RayPass, addsThePointTerms)
+void expectSameSums(const RaySums& ours, const RaySums& theirs)
 {
-    cv::RNG rng = testRng();
-    const Correspondences data = makeData(exactScene(rng, surroundingPoints(rng, 37)));
-    const Pose pose{randomRotation(rng), gaussian3(rng)};
-    const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05)};
-    const RaySums ours = rayPass(data, pose, noise), theirs = sumsByPointTerms(data, pose, noise);
     const double relative = 1e-11;
     EXPECT_TRUE(matrixNear(ours.H, theirs.H, relative * theirs.H.norm()));
     EXPECT_TRUE(matrixNear(ours.g, theirs.g, relative * theirs.H.norm()));
@@ -142,8 +139,55 @@ TEST(Gmlpnp_RayPass, addsThePointTerms)
     EXPECT_TRUE(matrixNear(ours.Zb, theirs.Zb, relative * theirs.Zb.norm()));
     EXPECT_TRUE(matrixNear(ours.Gb, theirs.Gb, relative * theirs.Gb.norm()));
     EXPECT_NEAR(ours.L, theirs.L, relative * std::abs(theirs.L));
+    EXPECT_NEAR(ours.misfit, theirs.misfit, relative * theirs.misfit);
     EXPECT_NEAR(ours.c, theirs.c, relative * theirs.c);
+    EXPECT_NEAR(ours.c2, theirs.c2, relative * theirs.c2);
     EXPECT_EQ(ours.inFront, theirs.inFront);
+}
+
+cv::Mat_<double> randomCovariances(cv::RNG& rng, int n, double sigma)
+{
+    cv::Mat_<double> rows(n, 9);
+    for (int i = 0; i < n; ++i) {
+        const Matrix3d C = randomNoise(rng, sigma);
+        for (int k = 0; k < 9; ++k)
+            rows(i, k) = C(k / 3, k % 3);
+    }
+    return rows;
+}
+
+TEST(Gmlpnp_RayPass, addsThePointTerms)
+{
+    cv::RNG rng = testRng();
+    const Scene scene = exactScene(rng, surroundingPoints(rng, 37));
+    const cv::Mat_<double> P = randomCovariances(rng, 37, 0.5), B = randomCovariances(rng, 37, 0.1);
+    for (const Correspondences& data :
+         {Correspondences(scene.objectPoints, scene.rays), Correspondences(scene.objectPoints, scene.rays, P),
+          Correspondences(scene.objectPoints, scene.rays, {}, B),
+          Correspondences(scene.objectPoints, scene.rays, P, B)})
+        for (double tail : {0.0, 1. / 30, 0.5}) {
+            const Pose pose{randomRotation(rng), gaussian3(rng)};
+            const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), tail};
+            expectSameSums(rayPass(data, pose, noise), sumsByPointTerms(data, pose, noise));
+        }
+}
+
+// What is known of every point alike is the same as so much more noise.
+TEST(Gmlpnp_RayPass, knownCovariancesAdd)
+{
+    cv::RNG rng = testRng();
+    const Scene scene = exactScene(rng, surroundingPoints(rng, 20));
+    const Matrix3d P = randomNoise(rng, 0.3), B = randomNoise(rng, 0.1);
+    cv::Mat_<double> rowsP(20, 9), rowsB(20, 9);
+    for (int i = 0; i < 20; ++i)
+        for (int k = 0; k < 9; ++k)
+            rowsP(i, k) = P(k / 3, k % 3), rowsB(i, k) = B(k / 3, k % 3);
+    const Correspondences without(scene.objectPoints, scene.rays), with(scene.objectPoints, scene.rays, rowsP, rowsB);
+    const Pose pose{randomRotation(rng), gaussian3(rng)};
+    const Noise some{randomNoise(rng, 0.2), randomNoise(rng, 0.05), 0.1};
+    const double unit = 1 / (with.scale * with.scale);
+    expectSameSums(rayPass(with, pose, some),
+                   rayPass(without, pose, {some.Sigma + unit * P, some.Gamma + B, some.tail}));
 }
 
 // The rays of a scene turned so that R is the true rotation.
@@ -168,7 +212,8 @@ Vector6d numericGradient(const Correspondences& data, const Pose& pose, const No
     for (int k = 0; k < 6; ++k) {
         const Vector6d step = h * Vector6d::Unit(k);
         gradient(k) =
-            (rayPass(data, perturbed(pose, step), noise).c - rayPass(data, perturbed(pose, -step), noise).c) / (2 * h);
+            (rayPass(data, perturbed(pose, step), noise).misfit - rayPass(data, perturbed(pose, -step), noise).misfit) /
+            (2 * h);
     }
     return gradient;
 }
@@ -195,7 +240,8 @@ TEST(Gmlpnp_RayPass, gradientAndHessianAreNumericDerivatives)
                                              expSO3((CV_PI - 1e-8) * axis)};
     const Matrix3d some = randomNoise(rng, 0.2) + 0.01 * Matrix3d::Identity(), none = Matrix3d::Zero();
     for (const Matrix3d& R : rotations)
-        for (const Noise& noise : {Noise{some, none}, Noise{1e-8 * Matrix3d::Identity(), some}}) {
+        for (const Noise& noise :
+             {Noise{some, none, 0}, Noise{some, none, 0.2}, Noise{1e-8 * Matrix3d::Identity(), some, 0}}) {
             Pose truth;
             const Correspondences data = turnedTo(R, exactScene(rng, surroundingPoints(rng, 30)), truth);
             Vector6d xi;
@@ -216,7 +262,7 @@ TEST(Gmlpnp_RayPass, leverArmAsGivenHoldsTheNoiseInTheCameraFrame)
     cv::RNG rng = testRng();
     const Correspondences data = makeData(paperScene(rng, 20, 0.3, 3));
     const Pose pose{randomRotation(rng), Vector3d(0, 0, 3)};
-    const Noise noise{randomNoise(rng, 0.2) + 0.01 * Matrix3d::Identity(), Matrix3d::Zero()};
+    const Noise noise{randomNoise(rng, 0.2) + 0.01 * Matrix3d::Identity(), Matrix3d::Zero(), 0};
     constexpr double h = 1e-6;
     Vector6d gradient;
     for (int k = 0; k < 6; ++k) {
@@ -224,7 +270,7 @@ TEST(Gmlpnp_RayPass, leverArmAsGivenHoldsTheNoiseInTheCameraFrame)
         for (int side : {0, 1}) {
             const Pose moved = perturbed(pose, (side ? h : -h) * Vector6d::Unit(k));
             const Matrix3d turn = moved.R.transpose() * pose.R;
-            c[side] = rayPass(data, moved, {turn * noise.Sigma * turn.transpose(), noise.Gamma}).c;
+            c[side] = rayPass(data, moved, {turn * noise.Sigma * turn.transpose(), noise.Gamma, 0}).misfit;
         }
         gradient(k) = (c[1] - c[0]) / (2 * h);
     }
@@ -240,7 +286,8 @@ TEST(Gmlpnp_RayPass, gradientHasNoMeanAtTheTruth)
     const double bearing = 0.02;
     for (bool isObject : {true, false}) {
         const Noise noise{isObject ? object : Matrix3d(1e-12 * Matrix3d::Identity()),
-                          isObject ? Matrix3d(Matrix3d::Zero()) : Matrix3d(bearing * bearing * Matrix3d::Identity())};
+                          isObject ? Matrix3d(Matrix3d::Zero()) : Matrix3d(bearing * bearing * Matrix3d::Identity()),
+                          0};
         const Matrix3d root = squareRoot(object);
         Vector6d sum = Vector6d::Zero();
         Matrix6d information = Matrix6d::Zero();
@@ -254,7 +301,7 @@ TEST(Gmlpnp_RayPass, gradientHasNoMeanAtTheTruth)
             }
             const Correspondences data(points, rays);
             const double unit = 1 / (data.scale * data.scale);
-            const RaySums sums = rayPass(data, data.fromObject(scene.truth), {unit * noise.Sigma, noise.Gamma});
+            const RaySums sums = rayPass(data, data.fromObject(scene.truth), {unit * noise.Sigma, noise.Gamma, 0});
             // In the caller's units, so that trials add up: delta' = delta / scale.
             Vector6d units;
             units << 1, 1, 1, Vector3d::Constant(1 / data.scale);
@@ -272,7 +319,7 @@ TEST(Gmlpnp_RayPass, countsPointsInFront)
     const Scene scene = exactScene(rng, surroundingPoints(rng, 25));
     const Correspondences data = makeData(scene);
     Pose pose = data.fromObject(scene.truth);
-    const Noise noise{Matrix3d::Identity(), Matrix3d::Zero()};
+    const Noise noise{Matrix3d::Identity(), Matrix3d::Zero(), 0};
     EXPECT_EQ(25, rayPass(data, pose, noise).inFront);
     const Correspondences opposite(scene.objectPoints, cv::Mat_<double>(cv::Mat(-scene.rays)));
     EXPECT_EQ(0, rayPass(opposite, pose, noise).inFront);

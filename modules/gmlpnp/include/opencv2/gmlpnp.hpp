@@ -51,6 +51,16 @@ enum Status
     STATUS_NO_CONSENSUS     //!< reserved for RANSAC
 };
 
+/** @brief The kinds of noise a result may carry. */
+enum NoiseModel
+{
+    NOISE_GIVEN = 0,  //!< nothing was estimated: the noise was known
+    NOISE_ISOTROPIC,  //!< of the object points, one variance: fewer than six points judge no more
+    NOISE_OBJECT,     //!< of the object points only
+    NOISE_BEARING,    //!< of the bearings only
+    NOISE_BOTH        //!< of both
+};
+
 /** @brief Options of a solve. Every field has a sensible default. */
 struct CV_EXPORTS_W_SIMPLE Params
 {
@@ -61,6 +71,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Marginal: change of the cost L [nat] below which a round is the last (default 1). 0: run all rounds.
     //! The published method has its own criterion, the relative change of its covariance.
     CV_PROP_RW double tolerance;
+    //! Student-t tails where the residuals ask for them, degrees of freedom estimated (default true): wrong matches
+    //! that look right then weigh little. Marginal method only.
+    CV_PROP_RW bool robust;
     CV_PROP_RW bool useExtrinsicGuess;  //!< start at (rvec, tvec) instead of the global solver (default false)
     CV_PROP_RW Vec3d rvec;              //!< guess: rotation vector, rad, object to camera
     CV_PROP_RW Vec3d tvec;              //!< guess: translation, the caller's length
@@ -70,6 +83,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Known bearing noise Gamma, 3x3 positive semidefinite, camera frame, rad^2. Empty: estimated by the marginal
     //! method, zero in the published one.
     CV_PROP_RW Mat bearingNoise;
+    //! Known covariance of each object point, added to Sigma: N rows of 9 (row-major 3x3), object frame, length^2.
+    //! Empty: none.
+    CV_PROP_RW Mat objectCovariances;
+    //! Known covariance of each pixel, mapped to its ray by the camera and added to Gamma: N rows of 1 (variance) or 4
+    //! (row-major 2x2), px^2. Empty: none. Needs a camera, so not for solveRays().
+    CV_PROP_RW Mat pixelCovariances;
 };
 
 /** @brief A pose with its noise and its uncertainty. */
@@ -95,6 +114,15 @@ struct CV_EXPORTS_W_SIMPLE Result
     //! Numerical rank of objectNoise. The published covariance collapses (a direction a round, Neyman-Scott): less
     //! than 3 means that objectNoise is no estimate of the noise along its null space.
     CV_PROP_RW int objectNoiseRank;
+    CV_PROP_RW int noiseModel;  //!< one of #NoiseModel: the likeliest explanation of the residuals
+    //! By how much the likelihood prefers it to the next best [nat]; infinity where there was no choice. Below about 3
+    //! the data cannot tell; the pose is then the mean over the explanations, weighed by their likelihoods, and
+    //! poseCovariance holds their spread.
+    CV_PROP_RW double noiseEvidence;
+    //! Degrees of freedom of the Student-t whose scale matrices objectNoise and bearingNoise are; infinity: Gaussian,
+    //! and they are covariances.
+    CV_PROP_RW double tailDof;
+    CV_PROP_RW Mat weights;     //!< Nx1, weight of each point, about 1 on average; 0 for pixels without a ray
     CV_PROP_RW int usedPoints;  //!< points that had a ray
 };
 
@@ -134,6 +162,27 @@ CV_EXPORTS_W bool solve(InputArray objectPoints, InputArray imagePoints, InputAr
 CV_EXPORTS_W bool solveRays(InputArray objectPoints, InputArray rays, CV_OUT Result& result,
                             const Params& params = Params());
 
+/** @brief Every distinct pose that fits, best first: both poses of a small flat object, for instance.
+@param objectPoints N points, object frame.
+@param imagePoints N pixels.
+@param camera the lens.
+@param results one result per local minimum of the cost with most points in front of the camera, ascending cost.
+@param params options; a guess leaves only the minimum it leads to.
+@return the number of results; 0, and `results` untouched, where the data give no pose.
+@throws cv::Exception StsAssert or StsBadArg for misuse, naming the argument. */
+CV_EXPORTS_W int solveAll(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
+                          CV_OUT std::vector<Result>& results, const Params& params = Params());
+
+/** @overload
+@param objectPoints N points, object frame.
+@param imagePoints N pixels.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients, as in CameraModel::pinhole.
+@param results one result per local minimum, ascending cost.
+@param params options. */
+CV_EXPORTS_W int solveAll(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                          InputArray distCoeffs, CV_OUT std::vector<Result>& results, const Params& params = Params());
+
 /** @brief Drop-in for cv::solvePnP: the same parameters in the same order.
 
 With #SOLVEPNP_GMLPNP and #SOLVEPNP_GMLPNP_MARGINAL any four or more points will do, coplanar or not (three with a
@@ -152,6 +201,57 @@ guess), in every array layout, and a guess is honoured. All flags of OpenCV are 
 CV_EXPORTS_W bool solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                            InputArray distCoeffs, OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess = false,
                            int flags = SOLVEPNP_GMLPNP_MARGINAL);
+
+/** @brief Drop-in for cv::solvePnPGeneric: every distinct pose, best first.
+@param objectPoints N points, object frame, in any layout of solvePnP().
+@param imagePoints N pixels.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients.
+@param rvecs rotation vectors: vector of Mat (3x1, CV_64F), Vec3d, Vec3f, Point3d...
+@param tvecs translations, likewise.
+@param useExtrinsicGuess start at rvec, tvec; one pose comes out.
+@param flags one of #Method, or any flag of cv::solvePnPGeneric.
+@param rvec guess, never written.
+@param tvec guess, never written.
+@param reprojectionError n x 1: root mean square over both coordinates of all points, px.
+@return the number of poses; 0, and all outputs untouched, where the data give none.
+@throws cv::Exception as solvePnP(). */
+CV_EXPORTS_W int solvePnPGeneric(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                                 InputArray distCoeffs, OutputArrayOfArrays rvecs, OutputArrayOfArrays tvecs,
+                                 bool useExtrinsicGuess = false, int flags = SOLVEPNP_GMLPNP_MARGINAL,
+                                 InputArray rvec = noArray(), InputArray tvec = noArray(),
+                                 OutputArray reprojectionError = noArray());
+
+/** @brief The marginal method from a given pose, which it never makes worse: the cost L of the pose that comes out is
+at most that of the pose that went in, both at the noise that was found.
+@param objectPoints N >= 3 points, object frame.
+@param imagePoints N pixels.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients.
+@param rvec rotation vector of any shape, in and out (3x1); untouched where the data give no pose.
+@param tvec translation, likewise.
+@param criteria the count bounds the rounds; the rounds end by the change of the cost, so epsilon is not used.
+@throws cv::Exception as solvePnP(). */
+CV_EXPORTS_W void solvePnPRefine(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                                 InputArray distCoeffs, InputOutputArray rvec, InputOutputArray tvec,
+                                 TermCriteria criteria = TermCriteria(TermCriteria::EPS + TermCriteria::COUNT, 20,
+                                                                      FLT_EPSILON));
+
+/** @brief cv::solvePnPRefineLM, forwarded.
+@param objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, criteria as in cv::solvePnPRefineLM. */
+CV_EXPORTS_W void solvePnPRefineLM(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                                   InputArray distCoeffs, InputOutputArray rvec, InputOutputArray tvec,
+                                   TermCriteria criteria = TermCriteria(TermCriteria::EPS + TermCriteria::COUNT, 20,
+                                                                        FLT_EPSILON));
+
+/** @brief cv::solvePnPRefineVVS, forwarded.
+@param objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec, criteria, VVSlambda as in
+cv::solvePnPRefineVVS. */
+CV_EXPORTS_W void solvePnPRefineVVS(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                                    InputArray distCoeffs, InputOutputArray rvec, InputOutputArray tvec,
+                                    TermCriteria criteria = TermCriteria(TermCriteria::EPS + TermCriteria::COUNT, 20,
+                                                                         FLT_EPSILON),
+                                    double VVSlambda = 1);
 
 /** @brief The lens of cv::fisheye: Kannala-Brandt, as in CameraModel::fisheye, on the whole sphere. */
 namespace fisheye {
@@ -176,7 +276,7 @@ pixels that have no ray.
 a flag of OpenCV with a pixel that has no ray in front of the camera. */
 CV_EXPORTS_W bool solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                            InputArray distCoeffs, OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess = false,
-                           int flags = SOLVEPNP_GMLPNP_MARGINAL,
+                           int flags = cv::gmlpnp::SOLVEPNP_GMLPNP_MARGINAL,
                            TermCriteria criteria = TermCriteria(TermCriteria::MAX_ITER + TermCriteria::EPS, 10, 1e-8));
 
 }  // namespace fisheye

@@ -141,7 +141,7 @@ public:
         fs << "camera" << "{"; camera->write(fs); fs << "}";
 
     @throws cv::Exception StsNotImplemented where the lens is the caller's own and does not override this. */
-    CV_WRAP virtual void write(FileStorage& fs) const;
+    virtual void write(FileStorage& fs) const;
 
     /** @brief Unit rays of pixels.
     @param imagePoints N pixels: Nx2, Nx1 or 1xN with 2 channels, or a vector of points; float or double.

@@ -1,0 +1,47 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_BOUNDARY_HPP
+#define OPENCV_GMLPNP_BOUNDARY_HPP
+
+#include "solve.hpp"
+
+// Between OpenCV's types and the solver's: checks and conversions, no mathematics.
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** Params as the solver takes them; what is out of range: StsBadArg, named. */
+Options checked(const Params& params);
+
+/** What a call passes in, with the points that have no ray left out. */
+struct Input
+{
+    Observations observations;
+    std::vector<int> used;  //!< their rows in the caller's arrays
+    int total = 0;          //!< rows of the caller's arrays
+    bool finite = true;     //!< pixels and guess; the solver looks at points and rays
+};
+
+Input inputRays(InputArray objectPoints, InputArray rays, const Params& params);
+Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
+                  const Params& params);
+
+/** Runs the solver; on a failure only `status` is written. */
+bool run(const Input& input, const Options& options, Status& status, std::vector<Solution>& solutions);
+
+Result toResult(const Solution& solution, Status status, const Input& input);
+
+/** 3 floating-point numbers of any shape; anything else: StsAssert, named. */
+Vec3d guessFrom(InputArray vec, const char* name);
+
+/** 3x1, in the depth of the array that was passed, as cv::solvePnP does it. */
+void writeVector(const Vec3d& v, OutputArray out);
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_BOUNDARY_HPP
