@@ -10,8 +10,6 @@
 #include <iostream>
 #include <stdexcept>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "common/command_line.hpp"
 #include "common/methods.hpp"
 #include "common/noise_report.hpp"
@@ -148,14 +146,6 @@ std::string withName(const std::filesystem::path& path, const std::string& name)
     return (path.parent_path() / path.stem()).string() + "_" + name + path.extension().string();
 }
 
-void writePicture(const std::string& path, const CorrespondenceSet& set, const std::vector<Residual>& residuals,
-                  const std::string& method)
-{
-    const std::string title = set.name() + ": " + std::to_string(set.objectPoints.size()) + " points, " + method;
-    if (!cv::imwrite(path, drawResiduals(set, residuals, title, shownUnit(set.unit))))
-        throw std::runtime_error(path + ": cannot be written");
-}
-
 void writeCsv(const std::string& path, const std::vector<FileRuns>& files)
 {
     std::ofstream out(path);
@@ -189,7 +179,7 @@ void report(const FileRuns& file, const Method* method, bool brief, const std::s
         printNoise(std::cout, result, shownUnit(set.unit), set.cameraMatrix(0, 0), meanDepth(residuals));
     }
     if (!picture.empty())
-        writePicture(picture, set, residuals, method->name);
+        writeResiduals(picture, set, residuals, method->name);
 }
 
 int run(const Arguments& arguments)

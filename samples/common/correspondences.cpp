@@ -29,7 +29,7 @@ constexpr double kRotationTolerance = 1e-4;
 class Reader
 {
 public:
-    explicit Reader(const std::string& path) : stream_(path) { set_.path = path; }
+    Reader(const std::string& path, CameraIn camera) : stream_(path), camera_(camera) { set_.path = path; }
 
     CorrespondenceSet read();
 
@@ -46,6 +46,7 @@ private:
     cv::Matx33d rotation(const std::vector<double>& values) const;
 
     std::ifstream stream_;
+    CameraIn camera_;
     int line_ = 0;
     CorrespondenceSet set_;
     std::set<std::string> seen_;
@@ -210,7 +211,7 @@ CorrespondenceSet Reader::read()
     if (set_.objectPoints.size() < kMinCorrespondences)
         fail("the file ends after " + std::to_string(set_.objectPoints.size()) + " points; at least " +
              std::to_string(kMinCorrespondences) + " are needed");
-    if (!seen_.count("fx"))
+    if (camera_ == CameraIn::kFile && !seen_.count("fx"))
         fail("the file ends without a '# fx fy cx cy' line");
     assembleTruth();
     return set_;
@@ -245,9 +246,9 @@ std::string CorrespondenceSet::name() const
     return std::filesystem::path(path).stem().string();
 }
 
-CorrespondenceSet readCorrespondences(const std::string& path)
+CorrespondenceSet readCorrespondences(const std::string& path, CameraIn camera)
 {
-    return Reader(path).read();
+    return Reader(path, camera).read();
 }
 
 void writeCorrespondences(const std::string& path, const CorrespondenceSet& set)

@@ -16,7 +16,7 @@ namespace samples {
 
 The file, one format for all tools, is text: first words after `#` that mean something, then a row per point.
 
-    # fx fy cx cy 517.3 516.5 318.6 255.3        required
+    # fx fy cx cy 517.3 516.5 318.6 255.3        required, where the camera is not given otherwise
     # dist 0.2624 -0.9531 -0.0054 0.0026 1.1633  0, 4, 5, 8, 12 or 14 coefficients, as in cv::projectPoints
     # image_size 640 480                         px
     # unit m                                     of the object points
@@ -48,8 +48,15 @@ struct CorrespondenceSet
 //! The fewest rows that a pose can be computed from.
 constexpr size_t kMinCorrespondences = 4;
 
+//! Where the camera of a set stands.
+enum class CameraIn
+{
+    kFile,      //!< in the correspondence file
+    kElsewhere  //!< in a calibration file: what the correspondence file says of it is ignored
+};
+
 /** Reads a file. @throws std::runtime_error with "file:line: what is wrong" for anything malformed. */
-CorrespondenceSet readCorrespondences(const std::string& path);
+CorrespondenceSet readCorrespondences(const std::string& path, CameraIn camera = CameraIn::kFile);
 
 /** Writes a file that readCorrespondences() reads back. @throws std::runtime_error where it cannot be written. */
 void writeCorrespondences(const std::string& path, const CorrespondenceSet& set);

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include <opencv2/imgcodecs.hpp>
 
 #include "common/canvas.hpp"
 #include "common/table.hpp"
@@ -20,6 +23,9 @@ const cv::Rect2d kImageArea(60, 90, 860, 620), kUpperPlot(1000, 90, 380, 260), k
 constexpr double kEllipseRadius = 24.0;
 //! The plots reach this many times as far as the ellipse, so that outliers are seen too.
 constexpr double kPlotReach = 1.6;
+
+//! The tick labels must not run into each other, px of the picture.
+constexpr double kLabelWidth = 56.0;
 
 //! An affine map, per axis, from what is drawn to the picture.
 struct Map
@@ -79,7 +85,9 @@ Map fit(const cv::Rect2d& what, const cv::Rect2d& area)
 void drawAxes(Canvas& canvas, const Map& map, const cv::Rect2d& frame, const std::string& xLabel,
               const std::string& yLabel)
 {
-    const double step = roundStep(90.0 / map.scale);
+    double step = roundStep(90.0 / map.scale);
+    if (step * map.scale < kLabelWidth)
+        step = roundStep(2.5 * step);  // the next one
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
     const cv::Point2d low = map.centre + (frame.tl() - map.origin) / map.scale;
     const cv::Point2d high = map.centre + (frame.br() - map.origin) / map.scale;
@@ -104,7 +112,7 @@ double magnification(const std::vector<Residual>& residuals, double scale)
 {
     std::vector<double> radii;
     for (const Residual& r : residuals)
-        radii.push_back(scale * std::sqrt(kChi2Of95Percent * std::sqrt(cv::determinant(r.pixelCovariance))));
+        radii.push_back(scale * std::sqrt(r.reach * std::sqrt(cv::determinant(r.pixelCovariance))));
     const double radius = median(radii);
     return radius > 0.0 ? std::max(1.0, roundStep(kEllipseRadius / radius)) : 1.0;
 }
@@ -117,7 +125,7 @@ void drawImagePlane(Canvas& canvas, const CorrespondenceSet& set, const std::vec
     drawAxes(canvas, map, frame, "u [px]", "v [px]");
     canvas.clip(frame);
     for (const Residual& r : residuals)
-        canvas.ellipse(map(r.observed), scale * scale * kChi2Of95Percent * r.pixelCovariance, tintOf(r));
+        canvas.ellipse(map(r.observed), scale * scale * r.reach * r.pixelCovariance, tintOf(r));
     for (const Residual& r : residuals) {
         const cv::Point2d at = map(r.observed);
         canvas.arrow(at, at + scale * cv::Point2d(r.pixels[0], r.pixels[1]), colourOf(r));
@@ -144,7 +152,7 @@ void drawObjectSpace(Canvas& canvas, const std::vector<Residual>& residuals, con
     for (const Residual& r : residuals)
         S += r.objectCovariance * (perUnit * perUnit / static_cast<double>(residuals.size()));
     const int a = plane.across, d = plane.down;
-    const cv::Matx22d ellipse = kChi2Of95Percent * cv::Matx22d(S(a, a), S(a, d), S(d, a), S(d, d));
+    const cv::Matx22d ellipse = residuals[0].reach * cv::Matx22d(S(a, a), S(a, d), S(d, a), S(d, d));
     const double x = kPlotReach * std::sqrt(ellipse(0, 0)), y = kPlotReach * std::sqrt(ellipse(1, 1));
     if (!(x + y > 0.0))
         return;  // exact data have no residuals to show
@@ -191,6 +199,14 @@ cv::Mat drawResiduals(const CorrespondenceSet& set, const std::vector<Residual>&
                     unit);
     drawLegend(canvas, residuals);
     return canvas.picture();
+}
+
+void writeResiduals(const std::string& path, const CorrespondenceSet& set, const std::vector<Residual>& residuals,
+                    const std::string& method)
+{
+    const std::string title = set.name() + ": " + std::to_string(set.objectPoints.size()) + " points, " + method;
+    if (!cv::imwrite(path, drawResiduals(set, residuals, title, shownUnit(set.unit))))
+        throw std::runtime_error(path + ": cannot be written");
 }
 
 }  // namespace samples

@@ -17,6 +17,11 @@ magnified alike, and in object space, in the x-y and the x-z plane of the camera
 cv::Mat drawResiduals(const CorrespondenceSet& set, const std::vector<Residual>& residuals, const std::string& title,
                       const LengthUnit& unit);
 
+/** Writes that picture, its title made of the set's name and the method's. @throws std::runtime_error where the file
+cannot be written. */
+void writeResiduals(const std::string& path, const CorrespondenceSet& set, const std::vector<Residual>& residuals,
+                    const std::string& method);
+
 }  // namespace samples
 
 #endif  // GMLPNP_SAMPLES_RESIDUAL_PICTURE_HPP

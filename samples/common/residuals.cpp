@@ -4,6 +4,7 @@
 
 #include "common/residuals.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,11 +58,18 @@ cv::Vec3d objectResidual(const cv::Vec3d& X, const cv::Vec3d& ray, const cv::Mat
 
 }  // namespace
 
-std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp::Result& result)
+double squaredRadiusOf95Percent(double degreesOfFreedom)
 {
-    const auto camera = cv::gmlpnp::CameraModel::pinhole(set.cameraMatrix, set.distCoeffs);
+    const double logarithm = -2.0 * std::log(0.05);
+    return std::isinf(degreesOfFreedom) ? logarithm : degreesOfFreedom * std::expm1(logarithm / degreesOfFreedom);
+}
+
+std::vector<Residual> residualsOf(const cv::gmlpnp::CameraModel& camera, const CorrespondenceSet& set,
+                                  const cv::gmlpnp::Result& result)
+{
     const Pose pose = poseFromRotationVector(result.rvec, result.tvec);
     const cv::Matx33d Sigma(result.objectNoise), Gamma(result.bearingNoise);
+    const double reach = squaredRadiusOf95Percent(result.tailDof);
     std::vector<Residual> residuals;
     for (size_t i = 0; i < set.objectPoints.size(); ++i) {
         const cv::Vec3d X = pose * cv::Vec3d(set.objectPoints[i]);
@@ -70,18 +78,44 @@ std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp
         cv::Vec3d ray;
         cv::Matx23d J;
         r.observed = set.imagePoints[i];
-        if (!camera->projectPoint(X, predicted) || !camera->unprojectPoint(r.observed, ray) ||
-            !projectionJacobian(*camera, X, J))
+        if (!camera.projectPoint(X, predicted) || !camera.unprojectPoint(r.observed, ray) ||
+            !projectionJacobian(camera, X, J))
             continue;
         r.depth = ray.dot(X);
         r.objectCovariance = pose.R * Sigma * pose.R.t() + r.depth * r.depth * Gamma;
         r.object = objectResidual(X, ray, r.objectCovariance);
         r.pixels = cv::Vec2d(r.observed.x - predicted.x, r.observed.y - predicted.y);
         r.pixelCovariance = J * r.objectCovariance * J.t();
-        r.inside = squaredMahalanobis(r.pixels, r.pixelCovariance) <= kChi2Of95Percent;
+        r.reach = reach;
+        r.inside = squaredMahalanobis(r.pixels, r.pixelCovariance) <= reach;
         residuals.push_back(r);
     }
     return residuals;
+}
+
+std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp::Result& result)
+{
+    return residualsOf(*cv::gmlpnp::CameraModel::pinhole(set.cameraMatrix, set.distCoeffs), set, result);
+}
+
+PixelScale meanPixelScale(const cv::gmlpnp::CameraModel& camera, const std::vector<cv::Point2d>& pixels,
+                          const cv::Matx33d& Gamma)
+{
+    PixelScale mean;
+    int count = 0;
+    for (const cv::Point2d& pixel : pixels) {
+        cv::Vec3d ray;
+        cv::Matx32d J;
+        if (!camera.unprojectPoint(pixel, ray, &J))
+            continue;
+        const cv::Matx22d JtJ = J.t() * J;
+        const cv::Matx23d inverse = JtJ.inv() * J.t();  // px per rad, from the plane across the ray
+        mean.bearingNoise += inverse * Gamma * inverse.t();
+        mean.pixelsPerRadian += 1.0 / std::sqrt(std::sqrt(cv::determinant(JtJ)));
+        ++count;
+    }
+    const double share = 1.0 / std::max(count, 1);
+    return {mean.bearingNoise * share, mean.pixelsPerRadian * share};
 }
 
 double meanDepth(const std::vector<Residual>& residuals)

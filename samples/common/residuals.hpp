@@ -18,18 +18,35 @@ struct Residual
 {
     cv::Point2d observed;          //!< px
     cv::Vec2d pixels;              //!< observed minus predicted, px
-    cv::Matx22d pixelCovariance;   //!< of the predicted pixel, px^2
+    cv::Matx22d pixelCovariance;   //!< of the predicted pixel, px^2; under Student-t tails its scale matrix
     double depth;                  //!< along the ray, length
     cv::Vec3d object;              //!< camera frame, length: from the likeliest point on the ray to the object point
     cv::Matx33d objectCovariance;  //!< S = R Sigma R^T + depth^2 Gamma, camera frame, length^2
+    double reach;                  //!< squared radius of the ellipse that should hold 95 %, in these covariances
     bool inside;                   //!< the observed pixel is inside the 95 % ellipse of the predicted one
 };
 
-//! Squared radius of the ellipse that holds 95 % of a normal distribution in two dimensions.
-constexpr double kChi2Of95Percent = 5.991464547107979;
+/** Squared radius of the ellipse that holds 95 % of a Student-t distribution in two dimensions; infinite degrees of
+freedom are the normal distribution. */
+double squaredRadiusOf95Percent(double degreesOfFreedom);
 
 /** The residuals of all points that the camera sees from the estimated pose. */
+std::vector<Residual> residualsOf(const cv::gmlpnp::CameraModel& camera, const CorrespondenceSet& set,
+                                  const cv::gmlpnp::Result& result);
+
+//! With the camera of the set itself.
 std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp::Result& result);
+
+/** A lens where the pixels are: how many pixels an angle covers differs over the picture. */
+struct PixelScale
+{
+    cv::Matx22d bearingNoise;      //!< Gamma in the picture, px^2
+    double pixelsPerRadian = 0.0;  //!< of area, so the geometric mean of both directions
+};
+
+/** The mean over the pixels that have a ray, by the derivative of the ray with respect to the pixel. */
+PixelScale meanPixelScale(const cv::gmlpnp::CameraModel& camera, const std::vector<cv::Point2d>& pixels,
+                          const cv::Matx33d& Gamma);
 
 //! Of the points along their rays; zero without residuals.
 double meanDepth(const std::vector<Residual>& residuals);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/residual_picture.hpp"
 #include "common/residuals.hpp"
@@ -101,6 +102,42 @@ TEST(Residuals, NinetyFivePercentOfThemAreInsideForTheTrueNoise)
     const auto inside = std::count_if(residuals.begin(), residuals.end(), [](const Residual& r) { return r.inside; });
     const double share = static_cast<double>(inside) / static_cast<double>(residuals.size());
     EXPECT_NEAR(share, 0.95, 4.0 * std::sqrt(0.95 * 0.05 / 4000.0));
+}
+
+TEST(Residuals, EllipsesOfTails)
+{
+    EXPECT_NEAR(squaredRadiusOf95Percent(std::numeric_limits<double>::infinity()), 5.991464547107979, 1e-12);
+    EXPECT_NEAR(squaredRadiusOf95Percent(1e9), 5.991464547107979, 1e-6);
+    EXPECT_NEAR(squaredRadiusOf95Percent(4.0), 2.0 * 6.944272, 1e-5);  // twice the F distribution's, 2 and 4
+}
+
+TEST(Residuals, OfAnyCamera)
+{
+    const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);
+    CorrespondenceSet set = sceneOf(result, 30, 0.0);
+    const auto fisheye = cv::gmlpnp::CameraModel::fisheye(set.cameraMatrix);
+    const Pose pose = poseFromRotationVector(result.rvec, result.tvec);
+    for (size_t i = 0; i < set.objectPoints.size(); ++i)
+        ASSERT_TRUE(fisheye->projectPoint(pose * cv::Vec3d(set.objectPoints[i]), set.imagePoints[i]));
+    const std::vector<Residual> residuals = residualsOf(*fisheye, set, result);
+    ASSERT_EQ(residuals.size(), set.objectPoints.size());
+    for (const Residual& r : residuals)
+        EXPECT_LT(cv::norm(r.pixels), 1e-9);
+}
+
+TEST(Residuals, BearingNoiseInPixels)
+{
+    const auto camera =
+        cv::gmlpnp::CameraModel::fisheye(cv::Matx33d(300, 0, 320, 0, 200, 240, 0, 0, 1));  // px per rad, any angle
+    const cv::Matx33d Gamma(4e-6, 1e-6, 0, 1e-6, 9e-6, 0, 0, 0, 25e-6);
+    const PixelScale middle = meanPixelScale(*camera, {{320, 240}}, Gamma);
+    EXPECT_LT(cv::norm(middle.bearingNoise - cv::Matx22d(0.36, 0.06, 0.06, 0.36)), 1e-9);
+    EXPECT_NEAR(middle.pixelsPerRadian, std::sqrt(300.0 * 200.0), 1e-9);
+    // 90 degrees to the right: the noise along the axis now moves the pixel along u, by as much as in the middle;
+    // around the axis, there are pi / 2 times as many pixels to a radian.
+    const PixelScale right = meanPixelScale(*camera, {{320 + 150 * CV_PI, 240}}, Gamma);
+    EXPECT_LT(cv::norm(right.bearingNoise - cv::Matx22d(25e-6 * 9e4, 0, 0, 9e-6 * 1e4 * CV_PI * CV_PI)), 1e-9);
+    EXPECT_EQ(meanPixelScale(*camera, {}, Gamma).pixelsPerRadian, 0.0);
 }
 
 TEST(ResidualPicture, DrawsWhateverItGets)
