@@ -82,7 +82,8 @@ import cv2, numpy
 points = numpy.array([[x, y, z] for x in (-1., 1.) for y in (-1., 1.) for z in (-1., 1.)])
 K = numpy.array([[800., 0, 320], [0, 800, 240], [0, 0, 1]])
 pixels, _ = cv2.projectPoints(points, (0.1, -0.2, 0.3), (0.5, 0.25, 8.), K, None)
-print("cv2", cv2.__version__, "cv2.gmlpnp.solvePnP:", *cv2.gmlpnp.solvePnP(points, pixels, K, None))
+found, rvec, tvec = cv2.gmlpnp.solvePnP(points, pixels, K, None)
+print("cv2", cv2.__version__, "cv2.gmlpnp.solvePnP:", found, rvec.ravel(), tvec.ravel())
 PYTHON
 /usr/bin/python3 "$root/modules/gmlpnp/misc/python/test/test_gmlpnp.py"
 /usr/bin/python3 "$root/modules/gmlpnp/samples/gmlpnp_tutorial.py"

@@ -58,11 +58,20 @@ Mat toMat(const Eigen::MatrixBase<Derived>& M)
     return std::move(out);
 }
 
-bool positiveSemidefinite(const Matrix3d& M)
+bool positiveSemidefinite(const Matrix3d& given)
 {
     constexpr double ROUNDING = 1e-6;  // relative; covariances often come in single precision
-    return M.allFinite() && (M - M.transpose()).norm() <= ROUNDING * M.norm() &&
-           Eigen3d(symmetrised(M), Eigen::EigenvaluesOnly).eigenvalues()(0) >= -ROUNDING * M.norm();
+    const double largest = given.cwiseAbs().maxCoeff();
+    if (!given.allFinite() || largest == 0)
+        return given.allFinite();
+    const Matrix3d M = given / largest;  // norms of very large or small entries would leave the range of doubles
+    return (M - M.transpose()).norm() <= ROUNDING &&
+           Eigen3d(symmetrised(M), Eigen::EigenvaluesOnly).eigenvalues()(0) >= -ROUNDING;
+}
+
+bool isZero(const Mat& m)
+{
+    return m.empty() || norm(m, NORM_INF) == 0;
 }
 
 KnownNoise knownNoise(const Mat& given, const char* name)
@@ -79,7 +88,10 @@ KnownNoise knownNoise(const Mat& given, const char* name)
 // N rows of `columns` numbers; the shape is checked here, the matrices by their users.
 Mat_<double> covarianceRows(const Mat& given, int rows, std::initializer_list<int> columns, const char* name)
 {
-    const Mat flat = given.reshape(1, rows > 0 && given.total() * given.channels() % rows == 0 ? rows : 0);
+    // One row per point, or a vector with one element per point: 1xN or Nx1 with channels.
+    const bool vector = given.dims == 2 && given.rows == 1 && given.cols == rows;
+    const Mat dense = given.isContinuous() ? given : given.clone();
+    const Mat flat = dense.dims == 2 ? dense.reshape(1, vector ? rows : given.rows) : dense;
     const bool fits = std::find(columns.begin(), columns.end(), flat.cols) != columns.end();
     if (flat.rows != rows || !fits)
         CV_Error(Error::StsAssert, format("%s must have one row per point, with %s numbers; there are %d points", name,
@@ -172,8 +184,9 @@ Options checked(const Params& params)
         options.stopping.maxRounds = params.maxRounds;
     if (!published || params.tolerance == 0)
         options.stopping.tolerance = params.tolerance;
-    const bool anyNoise = !params.objectCovariances.empty() || !params.pixelCovariances.empty();
-    if (!anyNoise && options.Sigma && options.Gamma && options.Sigma->isZero(0) && options.Gamma->isZero(0))
+    const bool gammaIsZero = options.Gamma ? options.Gamma->isZero(0) : options.method == SOLVEPNP_GMLPNP;
+    if (options.Sigma && options.Sigma->isZero(0) && gammaIsZero && isZero(params.objectCovariances) &&
+        isZero(params.pixelCovariances))
         CV_Error(Error::StsBadArg, "objectNoise and bearingNoise are both zero: there is nothing to weigh by");
     return options;
 }
@@ -215,8 +228,9 @@ Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<Cam
     input.observations = {chosenRows(points, input.used), chosenRows(rays, input.used),
                           chosenRows(knownObject(params, input.total), input.used),
                           chosenRows(weighed ? knownRays(params, jacobian, valid) : Mat_<double>(), input.used)};
-    // A pixel that is not a number is bad data, not a pixel without a ray.
-    input.finite = finiteGuess(params) && checkRange(pixels, true, nullptr, -DBL_MAX, DBL_MAX);
+    // A pixel that is not a number is bad data, not a pixel without a ray; so is a point, also without a ray.
+    const auto allFinite = [](const Mat& m) { return checkRange(m, true, nullptr, -DBL_MAX, DBL_MAX); };
+    input.finite = finiteGuess(params) && allFinite(pixels) && allFinite(points);
     return input;
 }
 

@@ -71,11 +71,11 @@ double firstPositiveRoot(const double* c, int degree)
 
 Intrinsics intrinsicsFrom(InputArray cameraMatrix)
 {
-    const Mat_<double> K = matrixFrom(cameraMatrix, 3, 3, "K");
+    const Mat_<double> K = matrixFrom(cameraMatrix, 3, 3, "K (cameraMatrix)");
     if (!checkRange(K, true, nullptr, -DBL_MAX, DBL_MAX))
-        CV_Error(Error::StsBadArg, "'K' must be finite");
+        CV_Error(Error::StsBadArg, "'K' (cameraMatrix) must be finite");
     if (K(0, 0) == 0 || K(1, 1) == 0)
-        CV_Error(Error::StsBadArg, "'K' has a focal length of zero");
+        CV_Error(Error::StsBadArg, "'K' (cameraMatrix) has a focal length of zero");
     return {K(0, 0), K(1, 1), K(0, 1), K(0, 2), K(1, 2)};
 }
 
@@ -86,7 +86,7 @@ std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<
         return D;
     if (coefficients.isMatVector() || coefficients.isUMatVector() ||
         coefficients.kind() == _InputArray::STD_VECTOR_VECTOR)
-        CV_Error(Error::StsAssert, "'D' must be one array, not a list of arrays");
+        CV_Error(Error::StsAssert, "'D' (distCoeffs) must be one array, not a list of arrays");
     const Mat given = coefficients.getMat();
     const int n = static_cast<int>(given.total()) * given.channels();
     const bool isVector = given.dims <= 2 && (given.rows == 1 || given.cols == 1);
@@ -95,14 +95,14 @@ std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<
         for (const int count : counts)
             allowed += ", " + std::to_string(count);
         CV_Error(Error::StsAssert,
-                 format("'D' must be a row or column of %s coefficients; it has %d", allowed.c_str(), n));
+                 format("'D' (distCoeffs) must be a row or column of %s coefficients; it has %d", allowed.c_str(), n));
     }
     Mat dense;
     given.convertTo(dense, CV_64F);
     std::copy(dense.ptr<double>(), dense.ptr<double>() + n, D.begin());
     for (const double d : D)
         if (!std::isfinite(d))
-            CV_Error(Error::StsBadArg, "'D' must be finite");
+            CV_Error(Error::StsBadArg, "'D' (distCoeffs) must be finite");
     return D;
 }
 

@@ -105,17 +105,16 @@ Noise isotropic(double a, double b)
 }
 
 // A known noise may be singular, or zero; the determinants must not be.
-Matrix3d regular(const Matrix3d& known)
+Matrix3d usable(const Matrix3d& known)
 {
-    constexpr double RELATIVE = 1e-12;
-    return floored(known, RELATIVE) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
+    return regular(known, TINY_FLOOR);
 }
 
 Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
                            const KnownNoise& Gamma, const Stopping& stopping)
 {
     const Noise object = isotropic(splitResiduals(data, start).aOnly, 0);
-    return alternate(data, start, {Sigma ? regular(*Sigma) : object.Sigma, Gamma.value_or(object.Gamma), 0},
+    return alternate(data, start, {Sigma ? usable(*Sigma) : object.Sigma, Gamma.value_or(object.Gamma), 0},
                      Sigma ? NoiseKind::FIXED : NoiseKind::ISOTROPIC, {stopping.maxRounds, stopping.tolerance, false});
 }
 
@@ -185,7 +184,7 @@ Estimate estimatePublished(const Correspondences& data, const Pose& start, const
 {
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
-    const Noise noise{Sigma ? regular(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero()), 0};
+    const Noise noise{Sigma ? usable(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero()), 0};
     Stopping fixedTails = stopping;
     fixedTails.robust = false;
     return alternate(data, start, noise, Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED, fixedTails);
@@ -196,7 +195,7 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
 {
     const auto run = [&](const Noise& noise, NoiseKind kind) { return alternate(data, start, noise, kind, stopping); };
     if (Sigma && Gamma)
-        return run({regular(*Sigma), *Gamma, 0}, NoiseKind::FIXED);
+        return run({usable(*Sigma), *Gamma, 0}, NoiseKind::FIXED);
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
     const ResidualSplit split = splitResiduals(data, start);
@@ -205,9 +204,9 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
     const Noise both = isotropic(split.a, split.b);
 
     if (Sigma)
-        return averaged(
-            data, std::array<Rival, 2>{Rival{run({regular(*Sigma), object.Gamma, 0}, NoiseKind::FIXED), 0},
-                                       Rival{run({regular(*Sigma), both.Gamma, 0}, NoiseKind::BEARING), PENALTY}});
+        return averaged(data,
+                        std::array<Rival, 2>{Rival{run({usable(*Sigma), object.Gamma, 0}, NoiseKind::FIXED), 0},
+                                             Rival{run({usable(*Sigma), both.Gamma, 0}, NoiseKind::BEARING), PENALTY}});
     if (Gamma)
         return averaged(data, std::array<Rival, 2>{Rival{run({bearing.Sigma, *Gamma, 0}, NoiseKind::FIXED), 0},
                                                    Rival{run({both.Sigma, *Gamma, 0}, NoiseKind::OBJECT), PENALTY}});

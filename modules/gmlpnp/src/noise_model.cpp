@@ -29,11 +29,16 @@ Matrix3d mmUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G)
     return symmetrised(inverseRootG * squareRoot(symmetrised(rootG * C * Z * C * rootG)) * inverseRootG);
 }
 
+Matrix3d regular(const Matrix3d& C, double relative)
+{
+    return floored(C, relative) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
+}
+
 Matrix3d shrunk(const Matrix3d& C, double n, double kappa)
 {
     const double mean = C.trace() / 3;
     const Matrix3d drawn = (n * C + kappa * mean * Matrix3d::Identity()) / (n + kappa);
-    return floored(drawn, RELATIVE_FLOOR) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
+    return regular(drawn, RELATIVE_FLOOR);
 }
 
 namespace {
@@ -140,8 +145,7 @@ Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, cons
         return next;
     const auto toObject = [&R](const Matrix3d& M) { return Matrix3d(R.transpose() * M * R); };
     if (kind == NoiseKind::PUBLISHED) {
-        next.Sigma = publishedUpdate(noise.Sigma, toObject(sums.Zo), n);
-        next.Sigma = floored(next.Sigma, 1e-12) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
+        next.Sigma = regular(publishedUpdate(noise.Sigma, toObject(sums.Zo), n), TINY_FLOOR);
         return next;
     }
     if (kind != NoiseKind::BEARING)

@@ -17,6 +17,8 @@ namespace detail {
 constexpr double NOISE_FLOOR = 1e-12;
 /** Smallest eigenvalue of an estimated covariance, relative to its largest. */
 constexpr double RELATIVE_FLOOR = 1e-8;
+/** The same for a covariance that is not ours to change: known noise, and the published one. */
+constexpr double TINY_FLOOR = 1e-12;
 /** Weight of the isotropic prior in points: C <- (n C + kappa tr(C)/3 I) / (n + kappa). */
 constexpr double SHRINKAGE = 2;
 
@@ -28,6 +30,9 @@ CV_EXPORTS Matrix3d emUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3
 
 /** MM step: the C' with C' G C' = C Z C, which minimises a majorant of L. SPD, never raises L, fast. */
 CV_EXPORTS Matrix3d mmUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G);
+
+/** C with eigenvalues of at least `relative` times its largest and NOISE_FLOOR^2. */
+CV_EXPORTS Matrix3d regular(const Matrix3d& C, double relative);
 
 /** C drawn towards its isotropic part with the weight of kappa points, then floored. */
 CV_EXPORTS Matrix3d shrunk(const Matrix3d& C, double n, double kappa);

@@ -62,6 +62,9 @@ Solution toCaller(const Correspondences& data, const Estimate& found, const Opti
                       found.sums.L + 2 * n * std::log(data.scale),
                       std::nullopt,
                       {}};
+    // Known noise goes back as it came; the solver's is floored.
+    solution.noise.Sigma = options.Sigma.value_or(solution.noise.Sigma);
+    solution.noise.Gamma = options.Gamma.value_or(solution.noise.Gamma);
     if (!options.extras)
         return solution;
     if (n > 3 || (options.Sigma && options.Gamma))

@@ -155,12 +155,19 @@ void writeVectors(const std::vector<Vec3d>& vectors, OutputArrayOfArrays out)
 }
 
 // Root mean square over both coordinates of all points, as cv::solvePnPGeneric computes it.
-double reprojectionErrorOf(const Mat& points, const Mat& pixels, InputArray cameraMatrix, InputArray distCoeffs,
-                           const Result& result)
+void writeReprojectionErrors(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                             InputArray distCoeffs, const std::vector<Result>& results, OutputArray out)
 {
-    Mat projected;
-    projectPoints(points, result.rvec, result.tvec, cameraMatrix, distCoeffs, projected);
-    return norm(projected.reshape(1, pixels.rows), pixels, NORM_L2) / std::sqrt(2. * pixels.rows);
+    const Mat points = pointsFrom(objectPoints, 3, "objectPoints"), pixels = pointsFrom(imagePoints, 2, "imagePoints");
+    Mat K, D, projected;  // cv::projectPoints takes floating-point numbers only
+    cameraMatrix.getMat().convertTo(K, CV_64F);
+    distCoeffs.getMat().convertTo(D, CV_64F);
+    Mat_<double> errors(static_cast<int>(results.size()), 1);
+    for (int i = 0; i < errors.rows; ++i) {
+        projectPoints(points, results[i].rvec, results[i].tvec, K, D, projected);
+        errors(i) = norm(projected.reshape(1, pixels.rows), pixels, NORM_L2) / std::sqrt(2. * pixels.rows);
+    }
+    errors.convertTo(out, out.fixedType() ? out.depth() : CV_64F);
 }
 
 }  // namespace
@@ -178,18 +185,15 @@ int solvePnPGeneric(InputArray objectPoints, InputArray imagePoints, InputArray 
     const int count = solveAll(objectPoints, imagePoints, cameraMatrix, distCoeffs, results, params);
     if (count == 0)
         return 0;
-    const Mat points = pointsFrom(objectPoints, 3, "objectPoints"), pixels = pointsFrom(imagePoints, 2, "imagePoints");
     std::vector<Vec3d> rotations, translations;
-    Mat_<double> errors(count, 1);
-    for (int i = 0; i < count; ++i) {
-        rotations.push_back(results[i].rvec);
-        translations.push_back(results[i].tvec);
-        errors(i) = reprojectionErrorOf(points, pixels, cameraMatrix, distCoeffs, results[i]);
+    for (const Result& result : results) {
+        rotations.push_back(result.rvec);
+        translations.push_back(result.tvec);
     }
     writeVectors(rotations, rvecs);
     writeVectors(translations, tvecs);
     if (reprojectionError.needed())
-        errors.convertTo(reprojectionError, reprojectionError.fixedType() ? reprojectionError.depth() : CV_64F);
+        writeReprojectionErrors(objectPoints, imagePoints, cameraMatrix, distCoeffs, results, reprojectionError);
     return count;
 }
 
@@ -197,8 +201,11 @@ void solvePnPRefine(InputArray objectPoints, InputArray imagePoints, InputArray 
                     InputOutputArray rvec, InputOutputArray tvec, TermCriteria criteria)
 {
     Params params = paramsOf(SOLVEPNP_GMLPNP_MARGINAL, true, rvec, tvec);
-    if (criteria.type & TermCriteria::COUNT)
+    if (criteria.type & TermCriteria::COUNT) {
+        if (criteria.maxCount < 1)
+            CV_Error(Error::StsBadArg, format("criteria: a count of %d is no round", criteria.maxCount));
         params.maxRounds = criteria.maxCount;
+    }
     checkEnough(objectPoints, true);
     solveToVectors(objectPoints, imagePoints, CameraModel::pinhole(cameraMatrix, distCoeffs), params, rvec, tvec);
 }

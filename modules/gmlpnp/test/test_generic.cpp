@@ -70,6 +70,21 @@ TEST(Gmlpnp_Generic, outputTypes)
     EXPECT_LT(cv::norm(cv::Vec3d(tp.at(0)) - tvec), 1e-12);
 }
 
+TEST(Gmlpnp_Generic, cameraMatrixOfEveryDepth)
+{
+    const std::vector<cv::Point2d> pixels = squarePixels({0.5, 0.1, 0}, {0.3, -0.2, 10});
+    for (int depth : {CV_8U, CV_16S, CV_32S, CV_32F, CV_64F}) {
+        cv::Mat K = (cv::Mat_<double>(3, 3) << 200, 0, 100, 0, 200, 100, 0, 0, 1), errors;
+        K.convertTo(K, depth);
+        std::vector<cv::Vec3d> rvecs, tvecs;
+        EXPECT_GE(
+            cv::gmlpnp::solvePnPGeneric(SQUARE, pixels, K, cv::noArray(), rvecs, tvecs, false,
+                                        cv::gmlpnp::SOLVEPNP_GMLPNP_MARGINAL, cv::noArray(), cv::noArray(), errors),
+            1);
+        EXPECT_TRUE(cv::checkRange(errors));
+    }
+}
+
 TEST(Gmlpnp_Generic, guessLeadsToOnePoseAndIsNotWritten)
 {
     const cv::Vec3d rvec(0.5, 0.1, 0), tvec(0.3, -0.2, 40);

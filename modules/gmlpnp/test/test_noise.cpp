@@ -182,6 +182,17 @@ TEST(Gmlpnp_Noise, wrongCovariancesAreRefusedAndThePointNamed)
     EXPECT_TRUE(names(message(params), "objectCovariances", "9")) << message(params);
     params.objectCovariances = cv::Mat::zeros(9, 9, CV_64F);
     EXPECT_TRUE(names(message(params), "objectCovariances", "10")) << message(params);
+    params.objectCovariances = cv::Mat::zeros(9, 10, CV_64F);  // transposed
+    EXPECT_TRUE(names(message(params), "objectCovariances", "10")) << message(params);
+    params.objectCovariances = cv::Mat(90, 20, CV_64F, cv::Scalar(0)).colRange(0, 1);
+    EXPECT_TRUE(names(message(params), "objectCovariances", "10")) << message(params);
+    params = Params();
+    params.objectNoise = -1e160 * cv::Mat::eye(3, 3, CV_64F);
+    EXPECT_TRUE(names(message(params), "objectNoise", "semidefinite")) << message(params);
+    params = Params();
+    params.method = cv::gmlpnp::SOLVEPNP_GMLPNP;
+    params.objectNoise = cv::Mat::zeros(3, 3, CV_64F);
+    EXPECT_TRUE(names(message(params), "objectNoise", "zero")) << message(params);
     params = Params();
     params.pixelCovariances = cv::Mat::ones(10, 1, CV_32F);
     params.pixelCovariances.at<float>(3) = -2;

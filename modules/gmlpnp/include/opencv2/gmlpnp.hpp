@@ -230,7 +230,8 @@ at most that of the pose that went in, both at the noise that was found.
 @param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients.
 @param rvec rotation vector of any shape, in and out (3x1); untouched where the data give no pose.
 @param tvec translation, likewise.
-@param criteria the count bounds the rounds; the rounds end by the change of the cost, so epsilon is not used.
+@param criteria the count bounds the rounds of pose and noise, which follow a Gauss-Newton descent of the isotropic cost
+from the given pose; they end by the change of the cost, so epsilon is not used.
 @throws cv::Exception as solvePnP(). */
 CV_EXPORTS_W void solvePnPRefine(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                                  InputArray distCoeffs, InputOutputArray rvec, InputOutputArray tvec,
