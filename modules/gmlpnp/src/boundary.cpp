@@ -179,7 +179,7 @@ Options checked(const Params& params)
     options.Gamma = knownNoise(params.bearingNoise, "bearingNoise");
     const bool published = options.method == SOLVEPNP_GMLPNP && !options.Sigma;
     options.stopping = defaultStopping(published);
-    options.stopping.robust = params.robust;
+    options.stopping.robust = params.robust && options.method == SOLVEPNP_GMLPNP_MARGINAL;
     if (params.maxRounds > 0)
         options.stopping.maxRounds = params.maxRounds;
     if (!published || params.tolerance == 0)

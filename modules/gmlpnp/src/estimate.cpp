@@ -12,12 +12,10 @@ namespace detail {
 
 namespace {
 
-// Solved after scaling to a unit diagonal: rotations and translations have different units.
 Vector6d gaussNewtonStep(const RaySums& sums)
 {
-    const Vector6d scale = sums.H.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-    const Matrix6d H = scale.asDiagonal() * sums.H * scale.asDiagonal();
-    return scale.cwiseProduct(H.ldlt().solve(-scale.cwiseProduct(sums.g)));
+    const UnitDiagonal H(sums.H);
+    return H.scale.cwiseProduct(H.matrix.ldlt().solve(-H.scale.cwiseProduct(sums.g)));
 }
 
 constexpr int STEP_HALVINGS = 5;
@@ -126,14 +124,6 @@ struct Rival
     double L() const { return estimate.sums.L + penalty; }
 };
 
-Vector6d difference(const Pose& to, const Pose& from)
-{
-    const Matrix3d dR = to.R * from.R.transpose();
-    Vector6d xi;
-    xi << logSO3(dR), to.t - dR * from.t;
-    return xi;
-}
-
 // The pose has fitted away six of the 2n residual coordinates; what was estimated from them is that much too small.
 Noise restricted(const Estimate& estimate, int n)
 {
@@ -185,9 +175,7 @@ Estimate estimatePublished(const Correspondences& data, const Pose& start, const
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
     const Noise noise{Sigma ? usable(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero()), 0};
-    Stopping fixedTails = stopping;
-    fixedTails.robust = false;
-    return alternate(data, start, noise, Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED, fixedTails);
+    return alternate(data, start, noise, Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED, stopping);
 }
 
 Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,

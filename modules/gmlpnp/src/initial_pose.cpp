@@ -62,7 +62,7 @@ RotationCost rotationCost(const Correspondences& data)
             cost.Omega.block<3, 3>(3 * b, 3 * a) = Q2[a][b];
         }
     cost.Omega += B.transpose() * cost.P;
-    cost.Omega = (0.5 * (cost.Omega + cost.Omega.transpose())).eval();
+    cost.Omega = symmetrised(cost.Omega);
     return cost;
 }
 

@@ -87,6 +87,15 @@ inline Pose perturbed(const Pose& pose, const Vector6d& xi)
     return {dR * pose.R, dR * pose.t + xi.tail<3>()};
 }
 
+/** The xi with perturbed(from, xi) = to. */
+inline Vector6d difference(const Pose& to, const Pose& from)
+{
+    const Matrix3d dR = to.R * from.R.transpose();
+    Vector6d xi;
+    xi << logSO3(dR), to.t - dR * from.t;
+    return xi;
+}
+
 }  // namespace detail
 }  // namespace gmlpnp
 }  // namespace cv

@@ -12,15 +12,6 @@ namespace detail {
 
 namespace {
 
-Vector6d unitDiagonal(const Matrix6d& H)
-{
-    return H.diagonal().cwiseSqrt().cwiseInverse();
-}
-
-}  // namespace
-
-namespace {
-
 // P(F > f) for the F distribution with 6 and d degrees of freedom (finite sum for an even first number).
 double upperTail(double f, double d)
 {
@@ -59,22 +50,20 @@ bool determined(const Matrix6d& H)
         return false;
     // The smallest eigenvalue of the correlation form; far small objects come near (extent / distance)^2.
     constexpr double SINGULAR = 1e-14;
-    const Vector6d scale = unitDiagonal(H);
-    const Matrix6d correlation = scale.asDiagonal() * H * scale.asDiagonal();
-    return Eigen::SelfAdjointEigenSolver<Matrix6d>(correlation, Eigen::EigenvaluesOnly).eigenvalues()(0) > SINGULAR;
+    const UnitDiagonal unit(H);
+    return Eigen::SelfAdjointEigenSolver<Matrix6d>(unit.matrix, Eigen::EigenvaluesOnly).eigenvalues()(0) > SINGULAR;
 }
 
 Matrix6d poseCovariance(const Estimate& estimate, int n)
 {
-    const Matrix6d& H = estimate.sums.H;
-    const Vector6d scale = unitDiagonal(H);
-    const Matrix6d correlation = scale.asDiagonal() * H * scale.asDiagonal();
-    const Matrix6d inverse = correlation.ldlt().solve(Matrix6d::Identity());
+    const UnitDiagonal H(estimate.sums.H);
+    const Matrix6d inverse = H.matrix.ldlt().solve(Matrix6d::Identity());
     // Student-t: a residual carries (nu + 2) / (nu + 4) of the information its scale matrix promises.
     const double tail = (1 + 4 * estimate.noise.tail) / (1 + 2 * estimate.noise.tail);
     const Matrix6d covariance =
-        smallSample(estimate.kind, n) * tail * (scale.asDiagonal() * inverse * scale.asDiagonal()) + estimate.spread;
-    return 0.5 * (covariance + covariance.transpose());
+        smallSample(estimate.kind, n) * tail * (H.scale.asDiagonal() * inverse * H.scale.asDiagonal()) +
+        estimate.spread;
+    return symmetrised(covariance);
 }
 
 Matrix6d rescaled(const Matrix6d& covariance, double scale)
@@ -89,8 +78,7 @@ Matrix6d toRvecTvec(const Matrix6d& covariance, const Pose& pose)
     Matrix6d J = Matrix6d::Identity();
     J.topLeftCorner<3, 3>() = leftJacobianInverse(logSO3(pose.R));
     J.bottomLeftCorner<3, 3>() = -hat(pose.t);
-    const Matrix6d out = J * covariance * J.transpose();
-    return 0.5 * (out + out.transpose());
+    return symmetrised(J * covariance * J.transpose());
 }
 
 Matrix3d toCameraCenter(const Matrix6d& covariance, const Pose& pose)

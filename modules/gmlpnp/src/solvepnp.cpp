@@ -94,11 +94,15 @@ Params paramsOf(int flags, bool useExtrinsicGuess, InputArray rvec, InputArray t
     return params;
 }
 
-void checkEnough(InputArray objectPoints, bool useExtrinsicGuess)
+// OpenCV's names refuse what is too few; ours return a status.
+Input enoughPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
+                   const Params& params)
 {
-    const int fewest = useExtrinsicGuess ? 3 : 4;
-    if (pointsFrom(objectPoints, 3, "objectPoints").rows < fewest)
+    const Input input = inputPixels(objectPoints, imagePoints, camera, params);
+    const int fewest = params.useExtrinsicGuess ? 3 : 4;
+    if (input.total < fewest)
         CV_Error(Error::StsAssert, format("objectPoints: fewer than %d points", fewest));
+    return input;
 }
 
 bool solveToVectors(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
@@ -108,7 +112,7 @@ bool solveToVectors(InputArray objectPoints, InputArray imagePoints, const Ptr<C
     options.extras = false;  // they could not be returned
     Status status;
     std::vector<Solution> solutions;
-    if (!run(inputPixels(objectPoints, imagePoints, camera, params), options, status, solutions))
+    if (!run(enoughPixels(objectPoints, imagePoints, camera, params), options, status, solutions))
         return false;
     const Vector3d r = logSO3(solutions.front().pose.R), t = solutions.front().pose.t;
     writeVector({r.x(), r.y(), r.z()}, rvec);
@@ -122,7 +126,6 @@ bool detail::solvePnPWith(const Ptr<CameraModel>& camera, InputArray objectPoint
                           OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess, int flags)
 {
     const Params params = paramsOf(flags, useExtrinsicGuess, rvec, tvec);
-    checkEnough(objectPoints, useExtrinsicGuess);
     return solveToVectors(objectPoints, imagePoints, camera, params, rvec, tvec);
 }
 
@@ -180,9 +183,9 @@ int solvePnPGeneric(InputArray objectPoints, InputArray imagePoints, InputArray 
         return cv::solvePnPGeneric(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvecs, tvecs, useExtrinsicGuess,
                                    static_cast<cv::SolvePnPMethod>(flags), rvec, tvec, reprojectionError);
     const Params params = paramsOf(flags, useExtrinsicGuess, rvec, tvec);
-    checkEnough(objectPoints, useExtrinsicGuess);
+    const Ptr<CameraModel> camera = CameraModel::pinhole(cameraMatrix, distCoeffs);
     std::vector<Result> results;
-    const int count = solveAll(objectPoints, imagePoints, cameraMatrix, distCoeffs, results, params);
+    const int count = solveEach(enoughPixels(objectPoints, imagePoints, camera, params), checked(params), results);
     if (count == 0)
         return 0;
     std::vector<Vec3d> rotations, translations;
@@ -206,7 +209,6 @@ void solvePnPRefine(InputArray objectPoints, InputArray imagePoints, InputArray 
             CV_Error(Error::StsBadArg, format("criteria: a count of %d is no round", criteria.maxCount));
         params.maxRounds = criteria.maxCount;
     }
-    checkEnough(objectPoints, true);
     solveToVectors(objectPoints, imagePoints, CameraModel::pinhole(cameraMatrix, distCoeffs), params, rvec, tvec);
 }
 

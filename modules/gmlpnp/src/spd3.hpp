@@ -13,10 +13,25 @@ namespace detail {
 
 using Eigen3d = Eigen::SelfAdjointEigenSolver<Matrix3d>;
 
-inline Matrix3d symmetrised(const Matrix3d& S)
+template <class Derived>
+typename Derived::PlainObject symmetrised(const Eigen::MatrixBase<Derived>& M)
 {
+    const typename Derived::PlainObject S = M;
     return 0.5 * (S + S.transpose());
 }
+
+/** An information matrix scaled to a unit diagonal, because rotations and translations have different units:
+matrix = diag(scale) H diag(scale). */
+struct UnitDiagonal
+{
+    explicit UnitDiagonal(const Matrix6d& H)
+        : scale(H.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse()),
+          matrix(scale.asDiagonal() * H * scale.asDiagonal())
+    {}
+
+    Vector6d scale;
+    Matrix6d matrix;
+};
 
 /** Adjugate of a symmetric matrix: S adj(S) = det(S) I, also where S is singular. */
 inline Matrix3d adjugate(const Matrix3d& S)

@@ -70,6 +70,15 @@ TEST(Gmlpnp_Lie, perturbationActsOnTheLeft)
     EXPECT_TRUE(matrixNear(perturbed(pose, xi) * p, expSO3(xi.head<3>()) * (pose * p) + xi.tail<3>(), 1e-14));
 }
 
+TEST(Gmlpnp_Lie, differenceUndoesThePerturbation)
+{
+    cv::RNG rng = testRng();
+    const Pose pose{randomRotation(rng), gaussian3(rng)};
+    Vector6d xi;
+    xi << 0.5 * gaussian3(rng), gaussian3(rng);
+    EXPECT_TRUE(matrixNear(difference(perturbed(pose, xi), pose), xi, 1e-14));
+}
+
 TEST(Gmlpnp_Lie, nearestRotationKeepsRotationsAndMirrorsNone)
 {
     cv::RNG rng = testRng();

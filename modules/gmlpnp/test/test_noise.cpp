@@ -240,10 +240,7 @@ double covered(cv::RNG& rng, Made made, int n, double halfField, int trials)
     for (int k = 0; k < trials; ++k) {
         const Scene scene = sceneOf(rng, made, n, halfField);
         const Result result = solved(scene, Params());
-        const Pose pose = poseOf(result.rvec, result.tvec);
-        const Matrix3d dR = scene.truth.R * pose.R.transpose();
-        Vector6d xi;
-        xi << logSO3(dR), scene.truth.t - dR * pose.t;
+        const Vector6d xi = difference(scene.truth, poseOf(result.rvec, result.tvec));
         inside += xi.dot(matrix6(result.poseCovariance).ldlt().solve(xi)) < CHI2_6_95;
     }
     return inside / double(trials);

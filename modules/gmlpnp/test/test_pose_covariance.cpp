@@ -72,10 +72,7 @@ TEST(Gmlpnp_PoseCovariance, knownNoiseIsCovered)
         params.objectNoise = Sigma;
         cv::gmlpnp::Result result;
         ASSERT_TRUE(cv::gmlpnp::solveRays(scene.objectPoints, scene.rays, result, params));
-        const Pose pose = poseOf(result.rvec, result.tvec);
-        const Matrix3d dR = scene.truth.R * pose.R.transpose();
-        Vector6d xi;
-        xi << logSO3(dR), scene.truth.t - dR * pose.t;
+        const Vector6d xi = difference(scene.truth, poseOf(result.rvec, result.tvec));
         const double nees = xi.dot(matrix6(result.poseCovariance).ldlt().solve(xi));
         sum += nees;
         inside += nees < 12.592;  // 95 % quantile
