@@ -60,12 +60,23 @@ Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<do
         }
 }
 
+PointArrays Correspondences::arrays() const
+{
+    PointArrays out{};
+    for (int axis = 0; axis < 3; ++axis) {
+        out.point[axis] = columns.col(axis).data();
+        out.ray[axis] = columns.col(3 + axis).data();
+    }
+    for (int entry = 0; entry < 12 && hasKnown(); ++entry)
+        out.known[entry] = known.col(entry).data();
+    out.size = size();
+    return out;
+}
+
 Matrix3d Correspondences::knownAt(int i, int first) const
 {
-    Matrix3d C;
-    const auto k = known.row(i).segment<6>(first);
-    C << k(0), k(1), k(2), k(1), k(3), k(4), k(2), k(4), k(5);
-    return C;
+    const Eigen::Matrix<double, 1, 6> entries = known.row(i).segment<6>(first);
+    return symmetric(entries.data());
 }
 
 bool Correspondences::degenerate() const

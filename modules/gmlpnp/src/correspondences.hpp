@@ -5,6 +5,7 @@
 #ifndef OPENCV_GMLPNP_CORRESPONDENCES_HPP
 #define OPENCV_GMLPNP_CORRESPONDENCES_HPP
 
+#include "ray_kernels.hpp"
 #include "spd3.hpp"
 
 namespace cv {
@@ -25,14 +26,12 @@ public:
                                const Mat_<double>& objectCovariances = {}, const Mat_<double>& rayCovariances = {});
 
     int size() const { return static_cast<int>(columns.rows()); }
-    const double* point(int axis) const { return columns.col(axis).data(); }
-    const double* ray(int axis) const { return columns.col(3 + axis).data(); }
+    /** For the kernels; valid as long as this object. */
+    CV_EXPORTS PointArrays arrays() const;
     Vector3d pointAt(int i) const { return columns.row(i).head<3>(); }
     Vector3d rayAt(int i) const { return columns.row(i).tail<3>(); }
 
     bool hasKnown() const { return known.rows() > 0; }
-    /** Entries 0..5 (xx xy xz yy yz zz) of the known object covariance, 6..11 of the known ray covariance. */
-    const double* knownEntry(int entry) const { return known.col(entry).data(); }
     Matrix3d knownObject(int i) const { return knownAt(i, 0); }
     Matrix3d knownRay(int i) const { return knownAt(i, 6); }
 
@@ -49,7 +48,9 @@ private:
     CV_EXPORTS Matrix3d knownAt(int i, int first) const;
 
     Eigen::Matrix<double, Eigen::Dynamic, 6> columns;  // px py pz mx my mz
-    Eigen::Matrix<double, Eigen::Dynamic, 12> known;   // no rows: none
+    // Entries 0..5 (xx xy xz yy yz zz) of the known object covariance, 6..11 of the known ray covariance; no rows:
+    // none.
+    Eigen::Matrix<double, Eigen::Dynamic, 12> known;
 };
 
 /** Whether every number is finite and no ray is zero. */

@@ -15,7 +15,10 @@ namespace {
 Vector6d gaussNewtonStep(const RaySums& sums)
 {
     const UnitDiagonal H(sums.H);
-    return H.scale.cwiseProduct(H.matrix.ldlt().solve(-H.scale.cwiseProduct(sums.g)));
+    const Vector6d g = H.scale.cwiseProduct(sums.g);
+    const Eigen::LLT<Matrix6d> llt(H.matrix);
+    const Vector6d xi = llt.info() == Eigen::Success ? Vector6d(llt.solve(-g)) : Vector6d(H.matrix.ldlt().solve(-g));
+    return H.scale.cwiseProduct(xi);
 }
 
 constexpr int STEP_HALVINGS = 5;
@@ -31,14 +34,50 @@ bool accepted(bool noiseChanged, const RaySums& before, const RaySums& after, in
     return after.L <= before.L + std::max(RISE, RISE_PER_POINT * n) && 2 * after.inFront > n;
 }
 
-bool finished(NoiseKind kind, const Estimate& before, const Estimate& after, double tolerance)
+// Change of L that the next step promises [nat]: half its slope along the step.
+double promised(const Estimate& now, const Noise& next, const Vector6d& xi)
 {
-    if (kind == NoiseKind::PUBLISHED)
-        return (after.noise.Sigma - before.noise.Sigma).norm() < tolerance * after.noise.Sigma.norm();
+    const double byPose = 0.5 * std::abs(now.sums.g.dot(xi));
+    if (now.kind == NoiseKind::PUBLISHED)  // its noise does not follow L
+        return byPose;
+    const Matrix3d& R = now.pose.R;
+    const Matrix3d dSigma = R * (next.Sigma - now.noise.Sigma) * R.transpose(), dGamma = next.Gamma - now.noise.Gamma;
+    const double slope =
+        ((now.sums.Zo - now.sums.Go) * dSigma).trace() + ((now.sums.Zb - now.sums.Gb) * dGamma).trace();
+    return byPose + 0.25 * std::abs(slope);
+}
+
+bool sameTail(double a, double b)
+{
+    constexpr double SAME = 0.1;  // relative: moves L and the pose less than the tolerance does
+    return std::abs(a - b) <= SAME * std::max(a, b);
+}
+
+bool settled(const Estimate& now, const Estimate& next, double promise, double tolerance)
+{
+    if (now.kind == NoiseKind::PUBLISHED)
+        return (next.noise.Sigma - now.noise.Sigma).norm() < tolerance * next.noise.Sigma.norm();
     // With a fixed noise Gauss-Newton converges fast: a tighter end costs a round and gives the minimum itself.
     constexpr double FIXED_TOLERANCE = 1e-6;  // nat
-    const double change = std::abs(after.sums.L - before.sums.L);
-    return change < (isConstant(kind) ? std::min(tolerance, FIXED_TOLERANCE) : tolerance);
+    const bool fixed = isConstant(now.kind) && next.noise.tail == 0;
+    return promise < (fixed ? std::min(tolerance, FIXED_TOLERANCE) : tolerance) &&
+           sameTail(now.noise.tail, next.noise.tail);
+}
+
+// From this many points on a pass costs more than the larger system of Fisher scoring. The first round is MM's, which
+// finds its way from an isotropic start.
+constexpr int SCORING_POINTS = 200;
+
+// One noise only: for both at once the expected curvature is far from the true one where depths hardly differ.
+Products productsFor(NoiseKind kind)
+{
+    return kind == NoiseKind::OBJECT ? OF_OBJECT : kind == NoiseKind::BEARING ? OF_BEARING : NO_PRODUCTS;
+}
+
+bool isIsotropic(const Noise& noise)
+{
+    const auto isScalar = [](const Matrix3d& C) { return (C - C(0, 0) * Matrix3d::Identity()).isZero(0); };
+    return isScalar(noise.Sigma) && isScalar(noise.Gamma);
 }
 
 }  // namespace
@@ -47,32 +86,42 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
                    const Stopping& stopping)
 {
     const int n = data.size();
-    const LeverArm lever = kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED;
+    const bool isotropicStart = isIsotropic(noise);
+    std::vector<double> c(stopping.robust ? n : 0);
+    PassOptions options{kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED, NO_PRODUCTS,
+                        stopping.robust ? c.data() : nullptr};
+    const auto pass = [&](const Pose& pose, const Noise& at) { return rayPass(data, pose, at, options); };
     Estimate now;
     now.pose = start;
     now.noise = noise;
     now.kind = kind;
-    now.sums = rayPass(data, start, noise, lever);
+    now.sums = pass(start, noise);
     while (now.rounds < stopping.maxRounds && !now.converged) {
         Vector6d xi = gaussNewtonStep(now.sums);
         Estimate next = now;
         next.rounds++;
-        next.noise = updatedNoise(kind, now.noise, now.sums, now.pose.R, n);
-        if (stopping.robust)
-            next.noise.tail = updatedTail(data, now.pose, now.noise, now.sums);
-        const bool noiseChanged = !isConstant(kind) || next.noise.tail != now.noise.tail;
+        next.noise = options.products ? scoredNoise(kind, now.noise, now.sums, now.pose.R)
+                                      : updatedNoise(kind, now.noise, now.sums, now.pose.R, n);
+        options.products = n >= SCORING_POINTS ? productsFor(kind) : NO_PRODUCTS;
+        if (stopping.robust && (now.rounds > 0 || !isotropicStart))  // anisotropy looks like tails
+            next.noise.tail = updatedTail(now.noise.tail, c.data(), now.sums, n);
         next.pose = perturbed(now.pose, xi);
-        next.sums = rayPass(data, next.pose, next.noise, lever);
+        const double promise = promised(now, next.noise, xi);
+        next.converged = settled(now, next, promise, stopping.tolerance);
+        const bool last = next.converged || next.rounds == stopping.maxRounds;
+        if (last && promise < DEFAULT_TOLERANCE && !stopping.evaluate)
+            return next;
+        const bool noiseChanged = !isConstant(kind) || next.noise.tail != now.noise.tail;
+        next.sums = pass(next.pose, next.noise);
         for (int k = 0; k < STEP_HALVINGS && !accepted(noiseChanged, now.sums, next.sums, n); ++k) {
             xi *= 0.5;
             next.pose = perturbed(now.pose, xi);
-            next.sums = rayPass(data, next.pose, next.noise, lever);
+            next.sums = pass(next.pose, next.noise);
         }
         if (!noiseChanged && !accepted(noiseChanged, now.sums, next.sums, n)) {
             now.converged = true;  // no step falls any more: this is the minimum, to rounding
             break;
         }
-        next.converged = finished(kind, now, next, stopping.tolerance);
         now = next;
     }
     return now;
@@ -90,12 +139,9 @@ namespace {
 // Evidence: a model with a noise more must be this much better [nat].
 constexpr double PENALTY = 2;
 // Models less likely than this share of the best do not move the pose.
-constexpr double NEGLIGIBLE = 1e-4;
+constexpr double NEGLIGIBLE = 1e-3;
 // Fewer points leave too few degrees of freedom for a covariance: isotropic noise.
 constexpr int MIN_POINTS_COVARIANCE = 6;
-// Object noise in a model of bearing noise alone, as a share of the variance at mean depth: a point at the very centre
-// of projection must not weigh infinitely.
-constexpr double BEARING_ONLY_SHARE = 1e-6;
 
 Noise isotropic(double a, double b)
 {
@@ -105,15 +151,16 @@ Noise isotropic(double a, double b)
 // A known noise may be singular, or zero; the determinants must not be.
 Matrix3d usable(const Matrix3d& known)
 {
-    return regular(known, TINY_FLOOR);
+    return regular(floored(known, TINY_FLOOR), 0);
 }
 
 Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
                            const KnownNoise& Gamma, const Stopping& stopping)
 {
-    const Noise object = isotropic(splitResiduals(data, start).aOnly, 0);
+    const Noise object = isotropic(splitResiduals(data, start).object.a, 0);
     return alternate(data, start, {Sigma ? usable(*Sigma) : object.Sigma, Gamma.value_or(object.Gamma), 0},
-                     Sigma ? NoiseKind::FIXED : NoiseKind::ISOTROPIC, {stopping.maxRounds, stopping.tolerance, false});
+                     Sigma ? NoiseKind::FIXED : NoiseKind::ISOTROPIC,
+                     {stopping.maxRounds, stopping.tolerance, false, stopping.evaluate});
 }
 
 struct Rival
@@ -138,23 +185,21 @@ Noise restricted(const Estimate& estimate, int n)
 
 // The posterior mean of the pose over the kinds of noise: where the data cannot tell bearing noise from object noise
 // (one depth), the two pull the pose to either side of the truth along the viewing direction.
-template <size_t COUNT>
-Estimate averaged(const Correspondences& data, const std::array<Rival, COUNT>& rivals)
+Estimate averaged(const Correspondences& data, const Rival* rivals, int count, bool evaluate)
 {
-    const auto likelier = [](const Rival& a, const Rival& b) { return a.L() < b.L(); };
-    const Rival& best = *std::min_element(rivals.begin(), rivals.end(), likelier);
+    const Rival& best =
+        *std::min_element(rivals, rivals + count, [](const Rival& a, const Rival& b) { return a.L() < b.L(); });
     Estimate out = best.estimate;
-    out.evidence = std::numeric_limits<double>::infinity();
     double total = 0;
     Vector6d mean = Vector6d::Zero();
     Matrix6d square = Matrix6d::Zero();
-    for (const Rival& rival : rivals) {
-        if (&rival != &best)
-            out.evidence = std::min(out.evidence, rival.L() - best.L());
-        const double weight = std::exp(best.L() - rival.L());
+    for (const Rival* rival = rivals; rival != rivals + count; ++rival) {
+        if (rival != &best)
+            out.evidence = std::min(out.evidence, rival->L() - best.L());
+        const double weight = std::exp(best.L() - rival->L());
         if (!(weight > NEGLIGIBLE))
             continue;
-        const Vector6d xi = difference(rival.estimate.pose, best.estimate.pose);
+        const Vector6d xi = difference(rival->estimate.pose, best.estimate.pose);
         total += weight;
         mean += weight * xi;
         square += weight * xi * xi.transpose();
@@ -163,8 +208,59 @@ Estimate averaged(const Correspondences& data, const std::array<Rival, COUNT>& r
     out.spread = square / total - mean * mean.transpose();
     out.pose = perturbed(best.estimate.pose, mean);
     out.noise = restricted(out, data.size());
-    out.sums = rayPass(data, out.pose, out.noise);
+    if (evaluate)
+        out.sums = rayPass(data, out.pose, out.noise);
     return out;
+}
+
+// A kind of noise with the isotropic noise it starts from.
+struct Contender
+{
+    NoiseKind kind;
+    IsotropicNoise start;
+    double penalty;  // nat
+
+    double cost() const { return start.cost + penalty; }
+};
+
+// Those that isotropic noises leave in the race, the likeliest first.
+struct Race
+{
+    std::array<Contender, 3> contenders;
+    int count = 0;
+    double evidence;  // nat, of the first over the best that was left out
+};
+
+Race contenders(const IsotropicSplit& split)
+{
+    // What anisotropy may make up for [nat]; measured: a wider margin changes no figure.
+    const double margin = -std::log(NEGLIGIBLE);
+    // Both noises are one of them and a little of the other where they do not gain this much more than the penalty
+    // asks.
+    constexpr double BOTH_MARGIN = 1;
+
+    std::array<Contender, 3> all = {Contender{NoiseKind::OBJECT, split.object, 0},
+                                    Contender{NoiseKind::BEARING, split.bearing, 0},
+                                    Contender{NoiseKind::BOTH, split.both, PENALTY}};
+    std::sort(all.begin(), all.end(), [](const Contender& a, const Contender& b) { return a.cost() < b.cost(); });
+    Race race{all, 0, std::numeric_limits<double>::infinity()};
+    for (const Contender& contender : all) {
+        const double behind = contender.cost() - all[0].cost();
+        if (behind <= (contender.kind == NoiseKind::BOTH ? BOTH_MARGIN : margin))
+            race.contenders[race.count++] = contender;
+        else
+            race.evidence = std::min(race.evidence, behind);
+    }
+    return race;
+}
+
+// The noise of a contender with the shape and the tails that another kind came to.
+Noise inShapeOf(const Estimate& other, double meanDepth2, const IsotropicNoise& size)
+{
+    const Matrix3d& R = other.pose.R;
+    const Matrix3d total = R * other.noise.Sigma * R.transpose() + meanDepth2 * other.noise.Gamma;
+    const Matrix3d shape = 3 / total.trace() * total;
+    return {symmetrised(size.a * R.transpose() * shape * R), size.b * shape, other.noise.tail};
 }
 
 }  // namespace
@@ -178,29 +274,49 @@ Estimate estimatePublished(const Correspondences& data, const Pose& start, const
     return alternate(data, start, noise, Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED, stopping);
 }
 
+namespace {
+
+// One noise is known; the other is there or not.
+Estimate estimateOther(const Correspondences& data, const Pose& start, const KnownNoise& Sigma, const KnownNoise& Gamma,
+                       const Stopping& stopping)
+{
+    const IsotropicSplit split = splitResiduals(data, start);
+    const Noise both = isotropic(split.both.a, split.both.b), bearing = isotropic(split.bearing.a, 0);
+    const Noise without{Sigma ? usable(*Sigma) : bearing.Sigma, Gamma.value_or(Matrix3d::Zero()), 0};
+    const Noise with{Sigma ? without.Sigma : both.Sigma, Sigma ? both.Gamma : without.Gamma, 0};
+    const NoiseKind estimated = Sigma ? NoiseKind::BEARING : NoiseKind::OBJECT;
+    const std::array<Rival, 2> rivals = {Rival{alternate(data, start, without, NoiseKind::FIXED, stopping), 0},
+                                         Rival{alternate(data, start, with, estimated, stopping), PENALTY}};
+    return averaged(data, rivals.data(), 2, stopping.evaluate);
+}
+
+}  // namespace
+
 Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
                           const KnownNoise& Gamma, const Stopping& stopping)
 {
-    const auto run = [&](const Noise& noise, NoiseKind kind) { return alternate(data, start, noise, kind, stopping); };
     if (Sigma && Gamma)
-        return run({usable(*Sigma), *Gamma, 0}, NoiseKind::FIXED);
+        return alternate(data, start, {usable(*Sigma), *Gamma, 0}, NoiseKind::FIXED, stopping);
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
-    const ResidualSplit split = splitResiduals(data, start);
-    const Noise object = isotropic(split.aOnly, 0);
-    const Noise bearing = isotropic(BEARING_ONLY_SHARE * split.bOnly * split.meanDepth2, split.bOnly);
-    const Noise both = isotropic(split.a, split.b);
+    if (Sigma || Gamma)
+        return estimateOther(data, start, Sigma, Gamma, stopping);
 
-    if (Sigma)
-        return averaged(data,
-                        std::array<Rival, 2>{Rival{run({usable(*Sigma), object.Gamma, 0}, NoiseKind::FIXED), 0},
-                                             Rival{run({usable(*Sigma), both.Gamma, 0}, NoiseKind::BEARING), PENALTY}});
-    if (Gamma)
-        return averaged(data, std::array<Rival, 2>{Rival{run({bearing.Sigma, *Gamma, 0}, NoiseKind::FIXED), 0},
-                                                   Rival{run({both.Sigma, *Gamma, 0}, NoiseKind::OBJECT), PENALTY}});
-    return averaged(
-        data, std::array<Rival, 3>{Rival{run(object, NoiseKind::OBJECT), 0}, Rival{run(bearing, NoiseKind::BEARING), 0},
-                                   Rival{run(both, NoiseKind::BOTH), PENALTY}});
+    const IsotropicSplit split = splitResiduals(data, start);
+    const Race race = contenders(split);
+    std::array<Rival, 3> rivals;
+    Stopping fitting = stopping;
+    fitting.evaluate = false;
+    for (int k = 0; k < race.count; ++k) {
+        const Contender& next = race.contenders[k];
+        // A kind starts where the one before it ended.
+        const Noise noise = k == 0 ? isotropic(next.start.a, next.start.b)
+                                   : inShapeOf(rivals[k - 1].estimate, split.meanDepth2, next.start);
+        const Pose& from = k == 0 ? start : rivals[k - 1].estimate.pose;
+        rivals[k] = {alternate(data, from, noise, next.kind, fitting), next.penalty};
+        rivals[k].estimate.evidence = race.evidence;
+    }
+    return averaged(data, rivals.data(), race.count, stopping.evaluate);
 }
 
 }  // namespace detail

@@ -15,8 +15,9 @@ namespace detail {
 struct Stopping
 {
     int maxRounds;
-    double tolerance;     //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
-    bool robust = false;  //!< whether the tails are estimated too
+    double tolerance;      //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
+    bool robust = false;   //!< whether the tails are estimated too
+    bool evaluate = true;  //!< sums at the pose that comes out; false: they may be those one small step before
 };
 
 /** Change of L [nat] that no longer matters: a tenth of a nat moves the pose by a fraction of its standard deviation.
@@ -34,11 +35,11 @@ struct Estimate
     Pose pose;
     Noise noise;
     NoiseKind kind = NoiseKind::FIXED;
-    RaySums sums;  //!< at pose and noise
+    RaySums sums;  //!< at pose and noise, or just before (Stopping::evaluate)
     int rounds = 0;
     bool converged = false;
-    double evidence = 0;                 //!< by how much the kind of noise beats the next best, nat
-    Matrix6d spread = Matrix6d::Zero();  //!< covariance of xi between the kinds of noise
+    double evidence = std::numeric_limits<double>::infinity();  //!< by how much the kind of noise beats the next, nat
+    Matrix6d spread = Matrix6d::Zero();                         //!< covariance of xi between the kinds of noise
 };
 
 /** The alternation: one Gauss-Newton step for the pose and one update of the noise from the sums of one pass. */

@@ -16,6 +16,7 @@ using Matrix9d = Eigen::Matrix<double, 9, 9>;
 using Vector9d = Eigen::Matrix<double, 9, 1>;
 using Matrix93d = Eigen::Matrix<double, 9, 3>;
 using Matrix39d = Eigen::Matrix<double, 3, 9>;
+// Products of this size are written lazyProduct(): Eigen's blocked kernels are for larger ones.
 
 // The cost as a quadratic form of r = vec(R) (columns stacked) with the translation eliminated; it is the form of
 // SQPnP (Terzakis and Lourakis, ECCV 2020), which holds for unit rays of any direction with Q_i = I - m_i m_i^T.
@@ -27,41 +28,24 @@ struct RotationCost
     double operator()(const Matrix3d& R) const
     {
         const Eigen::Map<const Vector9d> r(R.data());
-        return r.dot(Omega * r);
+        return r.dot(Omega.lazyProduct(r));
     }
     Pose pose(const Matrix3d& R) const { return {R, P * Eigen::Map<const Vector9d>(R.data())}; }
 };
 
 RotationCost rotationCost(const Correspondences& data)
 {
-    // Moments of Q with 1, p_a and p_a p_b; products are symmetric, so a <= b is enough.
-    Matrix3d Q0 = Matrix3d::Zero(), Q1[3], Q2[3][3];
-    for (int a = 0; a < 3; ++a) {
-        Q1[a].setZero();
-        for (int b = a; b < 3; ++b)
-            Q2[a][b].setZero();
-    }
-    for (int i = 0; i < data.size(); ++i) {
-        const Vector3d p = data.pointAt(i), m = data.rayAt(i);
-        const Matrix3d Q = Matrix3d::Identity() - m * m.transpose();
-        Q0 += Q;
-        for (int a = 0; a < 3; ++a) {
-            const Matrix3d pQ = p(a) * Q;
-            Q1[a] += pQ;
-            for (int b = a; b < 3; ++b)
-                Q2[a][b] += p(b) * pQ;
-        }
-    }
-    RotationCost cost;
+    MomentSums moments;
+    rayKernels().moments(data.arrays(), moments);
     Matrix39d B;
-    B << Q1[0], Q1[1], Q1[2];
-    cost.P = -Q0.ldlt().solve(B);
+    B << symmetric(moments.pQ[0]), symmetric(moments.pQ[1]), symmetric(moments.pQ[2]);
+    RotationCost cost;
+    cost.P = -symmetric(moments.Q).ldlt().solve(B);
+    constexpr int PRODUCT[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     for (int a = 0; a < 3; ++a)
-        for (int b = a; b < 3; ++b) {
-            cost.Omega.block<3, 3>(3 * a, 3 * b) = Q2[a][b];
-            cost.Omega.block<3, 3>(3 * b, 3 * a) = Q2[a][b];
-        }
-    cost.Omega += B.transpose() * cost.P;
+        for (int b = 0; b < 3; ++b)
+            cost.Omega.block<3, 3>(3 * a, 3 * b) = symmetric(moments.ppQ[PRODUCT[a][b]]);
+    cost.Omega += B.transpose().lazyProduct(cost.P);
     cost.Omega = symmetrised(cost.Omega);
     return cost;
 }
@@ -74,12 +58,13 @@ constexpr double NEWTON_STEP = 1e-10;  // rad: convergence is quadratic, one mor
 Vector3d newtonDirection(const RotationCost& cost, const Matrix3d& R)
 {
     const Eigen::Map<const Vector9d> r(R.data());
-    const Vector9d Or = cost.Omega * r;
+    const Vector9d Or = cost.Omega.lazyProduct(r);
     const Eigen::Map<const Matrix3d> G(Or.data());
     Matrix93d J;
     J << -hat(R.col(0)), -hat(R.col(1)), -hat(R.col(2));
-    const Vector3d gradient = J.transpose() * Or;
-    const Matrix3d gaussNewton = J.transpose() * cost.Omega * J;
+    const Vector3d gradient = R.col(0).cross(G.col(0)) + R.col(1).cross(G.col(1)) + R.col(2).cross(G.col(2));  // J^T Or
+    const Matrix93d OmegaJ = cost.Omega.lazyProduct(J);
+    const Matrix3d gaussNewton = J.transpose().lazyProduct(OmegaJ);
     const Matrix3d RG = R * G.transpose();
     const Matrix3d hessian = gaussNewton + symmetrised(RG) - RG.trace() * Matrix3d::Identity();
     const double ridge = 1e-6 * gaussNewton.trace();
@@ -111,16 +96,15 @@ PoseCandidate descend(const RotationCost& cost, Matrix3d R)
         if (phi.norm() < NEWTON_STEP)
             break;
     }
-    R = nearestRotation(R);
+    R = 0.5 * R * (3 * Matrix3d::Identity() - R.transpose() * R);  // what rounding took from orthogonality
     return {cost.pose(R), cost(R)};
 }
 
-int pointsInFront(const Correspondences& data, const Pose& pose)
+bool inFront(const Correspondences& data, const Pose& pose)
 {
-    int inFront = 0;
-    for (int i = 0; i < data.size(); ++i)
-        inFront += data.rayAt(i).dot(pose * data.pointAt(i)) > 0;
-    return inFront;
+    double at[12];
+    writePose(pose, at);
+    return 2 * rayKernels().behind(data.arrays(), at) < data.size();
 }
 
 // Two rotations are one minimum when closer than this [rad].
@@ -136,7 +120,7 @@ void keep(const PoseCandidate& found, const Correspondences& data, std::vector<P
     for (const PoseCandidate& known : minima)
         if (same(known.pose, found.pose))
             return;
-    if (2 * pointsInFront(data, found.pose) > data.size())
+    if (inFront(data, found.pose))
         minima.push_back(found);
 }
 
@@ -194,9 +178,79 @@ void searchMinima(const Correspondences& data, const RotationCost& cost, std::ve
 
 }  // namespace
 
+namespace {
+
+// The smallest eigenvalue of Omega and its unit eigenvector, by inverse iteration.
+struct LeastEigen
+{
+    Vector9d vector;
+    double value;
+};
+
+LeastEigen leastEigen(const Matrix9d& Omega)
+{
+    constexpr double REGULAR = 1e-13;  // of the trace: exact data leave an eigenvalue of zero
+    constexpr int ITERATIONS = 3;
+    const Eigen::LLT<Matrix9d> llt(Omega + REGULAR * Omega.trace() * Matrix9d::Identity());
+    LeastEigen least{Vector9d::LinSpaced(0.5, 1.5), 0};  // any vector will do
+    for (int k = 0; k < ITERATIONS; ++k)
+        least.vector = llt.solve(least.vector).normalized();
+    least.value = least.vector.dot(Omega.lazyProduct(least.vector));
+    return least;
+}
+
+// The rotation nearest to an eigenvector of either sign; none where it is not much like a rotation.
+std::optional<Matrix3d> rotationFrom(const Vector9d& e)
+{
+    constexpr double LIKE_A_ROTATION = 0.2;  // determinant; 1 for a rotation
+    constexpr int POLAR_ITERATIONS = 6;
+    Matrix3d M = std::sqrt(3.) * Eigen::Map<const Matrix3d>(e.data());
+    if (M.determinant() < 0)
+        M = -M;
+    if (!(M.determinant() > LIKE_A_ROTATION))
+        return std::nullopt;
+    for (int k = 0; k < POLAR_ITERATIONS; ++k)
+        M = 0.5 * (M + M.inverse().transpose());
+    return M;
+}
+
+// Whether all rotations that cost no more than `most` lie within a small angle of each other, so that no other minimum
+// needs to be looked for. Where  Omega + (tau - lambda) e e^T - tau I  has a Cholesky factor, any r with r^T r = 3 and
+// r^T Omega r <= most  has  3 - (r^T e)^2 <= (most - 3 lambda) / (tau - lambda): a cap around +-sqrt(3) e, of which one
+// sign only holds rotations.
+bool oneCapHoldsAll(const Matrix9d& Omega, const LeastEigen& least, double most)
+{
+    constexpr double CAP = 0.174;   // 3 sin^2(psi / 2) with 3 cos psi = 1 + 2 cos(0.6 rad)
+    constexpr double BELOW = 0.98;  // the inverse iteration ends a little above the smallest eigenvalue
+    const double lambda = BELOW * least.value, tau = lambda + (most - 3 * lambda) / CAP;
+    const Matrix9d bounded =
+        Omega + (tau - lambda) * least.vector * least.vector.transpose() - tau * Matrix9d::Identity();
+    return Eigen::LLT<Matrix9d>(bounded).info() == Eigen::Success;
+}
+
+// The minimum where it is the only one of its cost: most scenes that are not flat.
+std::optional<PoseCandidate> certifiedMinimum(const Correspondences& data, const RotationCost& cost, double costRatio)
+{
+    const LeastEigen least = leastEigen(cost.Omega);
+    const std::optional<Matrix3d> start = rotationFrom(least.vector);
+    if (!start)
+        return std::nullopt;
+    const PoseCandidate found = descend(cost, *start);
+    // Eigenvalues below the rounding of Omega cannot be told from zero.
+    const double rounding = 1e-12 * cost.Omega.trace();
+    if (!oneCapHoldsAll(cost.Omega, least, costRatio * found.cost + rounding) || !inFront(data, found.pose))
+        return std::nullopt;
+    return found;
+}
+
+}  // namespace
+
 std::vector<PoseCandidate> initialPoses(const Correspondences& data, double costRatio)
 {
     const RotationCost cost = rotationCost(data);
+    if (std::isfinite(costRatio))
+        if (const std::optional<PoseCandidate> only = certifiedMinimum(data, cost, costRatio))
+            return {*only};
     std::vector<PoseCandidate> minima;
     searchMinima(data, cost, minima);
     std::sort(minima.begin(), minima.end(),

@@ -5,7 +5,7 @@
 #ifndef OPENCV_GMLPNP_INITIAL_POSE_HPP
 #define OPENCV_GMLPNP_INITIAL_POSE_HPP
 
-#include "correspondences.hpp"
+#include "ray_pass.hpp"
 
 namespace cv {
 namespace gmlpnp {

@@ -22,23 +22,27 @@ Matrix3d emUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, int n
 
 Matrix3d mmUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G)
 {
-    // A narrow view does not observe the direction of the rays: G is nearly singular there.
+    // A narrow view does not observe the direction of the rays, few points do not observe every direction.
     constexpr double OBSERVED = 1e-12;
-    const Matrix3d rootG = squareRoot(floored(G, OBSERVED));
-    const Matrix3d inverseRootG = rootG.inverse();
-    return symmetrised(inverseRootG * squareRoot(symmetrised(rootG * C * Z * C * rootG)) * inverseRootG);
+    const Matrix3d CZC = symmetrised(C * Z * C);
+    return CZC.trace() > 0 ? geometricMean(lifted(CZC, OBSERVED), lifted(G, OBSERVED)) : Matrix3d::Zero();
+}
+
+Matrix3d acceleratedMm(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G)
+{
+    const Matrix3d next = mmUpdate(C, Z, G);
+    return symmetrised(next * C.inverse() * next);
 }
 
 Matrix3d regular(const Matrix3d& C, double relative)
 {
-    return floored(C, relative) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
+    return lifted(C, relative) + NOISE_FLOOR * NOISE_FLOOR * Matrix3d::Identity();
 }
 
 Matrix3d shrunk(const Matrix3d& C, double n, double kappa)
 {
     const double mean = C.trace() / 3;
-    const Matrix3d drawn = (n * C + kappa * mean * Matrix3d::Identity()) / (n + kappa);
-    return regular(drawn, RELATIVE_FLOOR);
+    return regular((n * C + kappa * mean * Matrix3d::Identity()) / (n + kappa), 0);
 }
 
 namespace {
@@ -53,38 +57,63 @@ struct Line
 
 // Weighted least squares of y on a + b x, both coefficients at least their floors: where one is not, it is set there
 // and the other refitted; left alone, the sum comes out 2-3 times too large at nearly equal depths.
-Line fitLine(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, const Line& before, const Line& floor)
+Line fitLine(const LineSums& s, const Line& floor)
 {
-    const Eigen::ArrayXd w = (before.a + before.b * x).square().inverse();
-    const double W = w.sum(), Wx = (w * x).sum(), Wxx = (w * x * x).sum(), Wy = (w * y).sum(), Wxy = (w * x * y).sum();
-    const double det = W * Wxx - Wx * Wx;
-    const bool equalDepths = !(det > 1e-9 * W * Wxx);
-    Line line = equalDepths ? Line{Wy / W, 0} : Line{(Wxx * Wy - Wx * Wxy) / det, (W * Wxy - Wx * Wy) / det};
+    const double det = s.w * s.wxx - s.wx * s.wx;
+    const bool equalDepths = !(det > 1e-9 * s.w * s.wxx);
+    const Line line = equalDepths ? Line{s.wy / s.w, 0}
+                                  : Line{(s.wxx * s.wy - s.wx * s.wxy) / det, (s.w * s.wxy - s.wx * s.wy) / det};
     if (line.b < floor.b)
-        line = {std::max((Wy - floor.b * Wx) / W, floor.a), floor.b};
-    else if (line.a < floor.a)
-        line = {floor.a, std::max((Wxy - floor.a * Wx) / Wxx, floor.b)};
+        return {std::max((s.wy - floor.b * s.wx) / s.w, floor.a), floor.b};
+    if (line.a < floor.a)
+        return {floor.a, std::max((s.wxy - floor.a * s.wx) / s.wxx, floor.b)};
     return line;
+}
+
+// s^2 and 1/2 |v|^2 of each point.
+struct Residuals
+{
+    Eigen::ArrayXd x, y;
+
+    LineSums sums(double a, double b) const
+    {
+        LineSums out;
+        rayKernels().line(x.data(), y.data(), static_cast<int>(x.size()), a, b, out);
+        return out;
+    }
+    // L of isotropic noises: D = (a + b s^2)^2, c = |v|^2 / (a + b s^2).
+    IsotropicNoise withCost(double a, double b) const
+    {
+        const LineSums at = sums(a, b);
+        return {a, b, logarithm(at.variance) + at.misfit};
+    }
+};
+
+Residuals residualsAt(const Correspondences& data, const Pose& pose)
+{
+    Residuals out{Eigen::ArrayXd(data.size()), Eigen::ArrayXd(data.size())};
+    double at[12];
+    writePose(pose, at);
+    rayKernels().residuals(data.arrays(), at, out.x.data(), out.y.data());
+    out.x = out.x.max(NOISE_FLOOR);
+    out.y += NOISE_FLOOR * NOISE_FLOOR;
+    return out;
 }
 
 }  // namespace
 
-ResidualSplit splitResiduals(const Correspondences& data, const Pose& pose)
+IsotropicSplit splitResiduals(const Correspondences& data, const Pose& pose)
 {
     const int n = data.size();
-    Eigen::ArrayXd depth2(n), residual2(n);
-    for (int i = 0; i < n; ++i) {
-        const Vector3d X = pose * data.pointAt(i), m = data.rayAt(i);
-        const double s = m.dot(X);
-        depth2(i) = std::max(s * s, NOISE_FLOOR);
-        residual2(i) = 0.5 * m.cross(X).squaredNorm() + NOISE_FLOOR * NOISE_FLOOR;
-    }
-    const double aOnly = residual2.mean(), bOnly = (residual2 / depth2).mean();
+    const Residuals of = residualsAt(data, pose);
+    const double aOnly = of.y.mean(), bOnly = (of.y / of.x).mean(), meanDepth2 = of.x.mean();
     Line line{aOnly / 2, bOnly / 2};
     for (int k = 0; k < SPLIT_REWEIGHTINGS; ++k)
-        line = fitLine(depth2, residual2, line, {SPLIT_FLOOR * aOnly, SPLIT_FLOOR * bOnly});
+        line = fitLine(of.sums(line.a, line.b), {SPLIT_FLOOR * aOnly, SPLIT_FLOOR * bOnly});
     const double freedom = 2. * n / std::max(2 * n - 6, 1);  // the pose took six of the 2n residual coordinates
-    return {freedom * line.a, freedom * line.b, freedom * aOnly, freedom * bOnly, depth2.mean()};
+    return {of.withCost(freedom * aOnly, 0),
+            of.withCost(freedom * BEARING_ONLY_SHARE * bOnly * meanDepth2, freedom * bOnly),
+            of.withCost(freedom * line.a, freedom * line.b), meanDepth2};
 }
 
 namespace {
@@ -98,19 +127,20 @@ double degreesOfFreedom(double step)
     return TAIL_FIRST * std::pow(2, -step / 2);
 }
 
-// The parts of L that depend on nu, for each candidate; the last entry is the Gaussian's.
-std::array<double, TAIL_COUNT + 1> tailCosts(const Correspondences& data, const Pose& pose, const Noise& noise)
+// The part of L that depends on nu, for each candidate.
+std::array<double, TAIL_COUNT> tailCosts(const double* c, int n)
 {
-    std::array<double, TAIL_COUNT> nu;
-    for (int k = 0; k < TAIL_COUNT; ++k)
-        nu[k] = degreesOfFreedom(k);
-    std::array<double, TAIL_COUNT + 1> costs{};
-    for (int i = 0; i < data.size(); ++i) {
-        const double c = pointTerms(data, i, pose, noise).c;
+    static const std::array<double, TAIL_COUNT> tails = [] {
+        std::array<double, TAIL_COUNT> out{};
         for (int k = 0; k < TAIL_COUNT; ++k)
-            costs[k] += 0.5 * (nu[k] + 2) * std::log1p(c / nu[k]);
-        costs[TAIL_COUNT] += 0.5 * c;
-    }
+            out[k] = 1 / degreesOfFreedom(k);
+        return out;
+    }();
+    std::array<ScaledProduct, TAIL_COUNT> products;
+    rayKernels().tails(c, n, tails.data(), TAIL_COUNT, products.data());
+    std::array<double, TAIL_COUNT> costs{};
+    for (int k = 0; k < TAIL_COUNT; ++k)
+        costs[k] = 0.5 * (1 / tails[k] + 2) * logarithm(products[k]);
     return costs;
 }
 
@@ -123,13 +153,13 @@ bool mayHaveTails(const RaySums& sums, int n)
 
 }  // namespace
 
-double updatedTail(const Correspondences& data, const Pose& pose, const Noise& noise, const RaySums& sums)
+double updatedTail(double tail, const double* c, const RaySums& sums, int n)
 {
-    if (noise.tail == 0 && !mayHaveTails(sums, data.size()))
+    if (tail == 0 && !mayHaveTails(sums, n))
         return 0;
-    const std::array<double, TAIL_COUNT + 1> costs = tailCosts(data, pose, noise);
-    const int k = static_cast<int>(std::min_element(costs.begin(), costs.end() - 1) - costs.begin());
-    if (!(costs[k] + TAIL_PENALTY < costs[TAIL_COUNT]))
+    const std::array<double, TAIL_COUNT> costs = tailCosts(c, n);
+    const int k = static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
+    if (!(costs[k] + TAIL_PENALTY < 0.5 * sums.c))
         return 0;
     if (k == 0 || k == TAIL_COUNT - 1)
         return 1 / degreesOfFreedom(k);
@@ -148,10 +178,12 @@ Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, cons
         next.Sigma = regular(publishedUpdate(noise.Sigma, toObject(sums.Zo), n), TINY_FLOOR);
         return next;
     }
+    // A step twice as long meets twice the pull towards isotropy, so that they balance where they did.
+    constexpr double PULL = 2 * SHRINKAGE;
     if (kind != NoiseKind::BEARING)
-        next.Sigma = shrunk(mmUpdate(noise.Sigma, toObject(sums.Zo), toObject(sums.Go)), n, SHRINKAGE);
+        next.Sigma = shrunk(acceleratedMm(noise.Sigma, toObject(sums.Zo), toObject(sums.Go)), n, PULL);
     if (kind != NoiseKind::OBJECT)
-        next.Gamma = shrunk(mmUpdate(noise.Gamma, sums.Zb, sums.Gb), n, SHRINKAGE);
+        next.Gamma = shrunk(acceleratedMm(noise.Gamma, sums.Zb, sums.Gb), n, PULL);
     return next;
 }
 

@@ -15,9 +15,7 @@ namespace detail {
 
 /** Smallest standard deviation a noise may have: exact data must not divide by zero. */
 constexpr double NOISE_FLOOR = 1e-12;
-/** Smallest eigenvalue of an estimated covariance, relative to its largest. */
-constexpr double RELATIVE_FLOOR = 1e-8;
-/** The same for a covariance that is not ours to change: known noise, and the published one. */
+/** Smallest eigenvalue of a covariance, relative to its largest. */
 constexpr double TINY_FLOOR = 1e-12;
 /** Weight of the isotropic prior in points: C <- (n C + kappa tr(C)/3 I) / (n + kappa). */
 constexpr double SHRINKAGE = 2;
@@ -31,20 +29,33 @@ CV_EXPORTS Matrix3d emUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3
 /** MM step: the C' with C' G C' = C Z C, which minimises a majorant of L. SPD, never raises L, fast. */
 CV_EXPORTS Matrix3d mmUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G);
 
-/** C with eigenvalues of at least `relative` times its largest and NOISE_FLOOR^2. */
+/** The MM step taken twice as far along the geodesic of SPD matrices, C' C^-1 C'. Where the data observe a direction
+well MM goes half the way in one round, where they do not less; so twice the step never overshoots near the end. */
+CV_EXPORTS Matrix3d acceleratedMm(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G);
+
+/** C lifted by `relative` of its trace, and by NOISE_FLOOR^2. */
 CV_EXPORTS Matrix3d regular(const Matrix3d& C, double relative);
 
 /** C drawn towards its isotropic part with the weight of kappa points, then floored. */
 CV_EXPORTS Matrix3d shrunk(const Matrix3d& C, double n, double kappa);
 
-/** Isotropic variances from the residuals at an isotropic pose: E 1/2 |v|^2 = a + b s^2. */
-struct ResidualSplit
+/** Object noise in a model of bearing noise alone, as a share of the variance at mean depth: a point at the very centre
+of projection must not weigh infinitely. */
+constexpr double BEARING_ONLY_SHARE = 1e-6;
+
+/** Sigma = a I [length^2], Gamma = b I [rad^2], and L with them [nat]. */
+struct IsotropicNoise
 {
-    double a, b;          //!< both noises: a [length^2], b [rad^2]
-    double aOnly, bOnly;  //!< object noise alone, bearing noise alone
-    double meanDepth2;    //!< mean s^2 [length^2]
+    double a, b, cost;
 };
-CV_EXPORTS ResidualSplit splitResiduals(const Correspondences& data, const Pose& pose);
+
+/** Isotropic noises from the residuals at an isotropic pose: E 1/2 |v|^2 = a + b s^2. */
+struct IsotropicSplit
+{
+    IsotropicNoise object, bearing, both;
+    double meanDepth2;  //!< mean s^2 [length^2]
+};
+CV_EXPORTS IsotropicSplit splitResiduals(const Correspondences& data, const Pose& pose);
 
 /** Which noises are estimated; ISOTROPIC: one variance, found beforehand. */
 enum class NoiseKind
@@ -63,14 +74,17 @@ inline bool isConstant(NoiseKind kind)
     return kind == NoiseKind::FIXED || kind == NoiseKind::ISOTROPIC;
 }
 
-/** 1/nu of the Student-t that fits the residuals best, or 0 where a Gaussian is as good to TAIL_PENALTY. `sums` are
-those at `pose` and `noise`. */
-CV_EXPORTS double updatedTail(const Correspondences& data, const Pose& pose, const Noise& noise, const RaySums& sums);
+/** 1/nu of the Student-t that fits the squared residuals `c` of n points best, or 0 where a Gaussian is as good to
+TAIL_PENALTY. `sums` are those of the same pass. */
+CV_EXPORTS double updatedTail(double tail, const double* c, const RaySums& sums, int n);
 
 /** Evidence a Student-t needs over a Gaussian, nat. */
 constexpr double TAIL_PENALTY = 1;
 
-/** Sigma and Gamma of the next round. */
+/** The noise of the next round by Fisher scoring; OBJECT or BEARING, `sums` with the products of that kind. */
+CV_EXPORTS Noise scoredNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R);
+
+/** Sigma and Gamma of the next round: the published update, or accelerated MM and shrinkage. */
 CV_EXPORTS Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R, int n);
 
 }  // namespace detail

@@ -51,6 +51,11 @@ bool determined(const Matrix6d& H)
     // The smallest eigenvalue of the correlation form; far small objects come near (extent / distance)^2.
     constexpr double SINGULAR = 1e-14;
     const UnitDiagonal unit(H);
+    // Five eigenvalues of a trace of 6 have a product of at most (6/5)^5: mostly the determinant is proof enough.
+    const Eigen::LLT<Matrix6d> llt(unit.matrix);
+    const double rootDeterminant = llt.matrixLLT().diagonal().prod();
+    if (llt.info() == Eigen::Success && rootDeterminant * rootDeterminant > 2.5 * SINGULAR)
+        return true;
     return Eigen::SelfAdjointEigenSolver<Matrix6d>(unit.matrix, Eigen::EigenvaluesOnly).eigenvalues()(0) > SINGULAR;
 }
 

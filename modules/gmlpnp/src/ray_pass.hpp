@@ -43,6 +43,14 @@ enum class LeverArm
     CORRECTED
 };
 
+/** What a pass is to add up beside the sums of a plain round. */
+struct PassOptions
+{
+    LeverArm lever = LeverArm::CORRECTED;
+    Products products = NO_PRODUCTS;  //!< RaySums::QQ
+    double* c = nullptr;              //!< receives each point's squared Mahalanobis residual
+};
+
 /** Sums over the points that a round needs. */
 struct RaySums
 {
@@ -50,10 +58,11 @@ struct RaySums
     Vector6d g;       //!< sum w J^T zTilde, gradient of the residual part of L with respect to xi, through S(R, s)
     Matrix3d Zo, Go;  //!< sum w z z^T, sum Q: for Sigma, camera frame
     Matrix3d Zb, Gb;  //!< sum w s^2 z z^T, sum s^2 Q: for Gamma
+    Matrix6d QQ;      //!< sum q q^T or s^4 q q^T, q = Q_xx Q_xy Q_xz Q_yy Q_yz Q_zz; if asked for
     double L;         //!< negative log-likelihood, nat: 1/2 sum log D + misfit
     double misfit;    //!< 1/2 sum c, or 1/2 (nu + 2) sum log(1 + c / nu)
     double c, c2;     //!< sum c, sum c^2
-    int inFront;      //!< points with s > 0
+    int inFront;      //!< points with s >= 0
 };
 
 /** Terms of one point; the readable twin of the pass. `S_o` is R Sigma R^T; both with what is known of the point. */
@@ -61,9 +70,19 @@ CV_EXPORTS PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pos
                                  const Matrix3d& Gamma, double tail = 0);
 CV_EXPORTS PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, const Noise& noise);
 
+/** The loops for each instruction set that this machine has, fastest first; the last are scalar. */
+CV_EXPORTS std::vector<const RayKernels*> availableKernels();
+CV_EXPORTS const RayKernels& rayKernels();
+
+/** R by rows, t: as the kernels take a pose. */
+void writePose(const Pose& pose, double (&out)[12]);
+
+/** Logarithm of what a kernel multiplied up. */
+CV_EXPORTS double logarithm(const ScaledProduct& product);
+
 /** One pass over the points: it reads, it adds, nothing else. No heap. */
 CV_EXPORTS RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise,
-                           LeverArm lever = LeverArm::CORRECTED);
+                           const PassOptions& options = {}, const RayKernels& kernels = rayKernels());
 
 }  // namespace detail
 }  // namespace gmlpnp

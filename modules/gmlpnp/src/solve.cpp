@@ -95,9 +95,13 @@ Status solveAll(const Observations& observations, const Options& options, std::v
     if (data.degenerate())
         return STATUS_DEGENERATE;
 
+    const std::vector<Pose> starts = startingPoses(data, options);
+    Options fitting = options;
+    // The last sums are needed to compare with other poses and for all that is said about this one.
+    fitting.stopping.evaluate = options.extras || options.guess || starts.size() > 1;
     std::vector<Estimate> found;
-    for (const Pose& start : startingPoses(data, options)) {
-        Estimate candidate = estimate(data, start, options);
+    for (const Pose& start : starts) {
+        Estimate candidate = estimate(data, start, fitting);
         if (options.guess)
             keepGuessIfBetter(data, data.fromObject(*options.guess), candidate);
         const auto known = [&](const Estimate& other) { return samePose(other.pose, candidate.pose); };

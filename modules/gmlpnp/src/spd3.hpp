@@ -20,6 +20,15 @@ typename Derived::PlainObject symmetrised(const Eigen::MatrixBase<Derived>& M)
     return 0.5 * (S + S.transpose());
 }
 
+/** The matrix of its entries xx xy xz yy yz zz. */
+inline Matrix3d symmetric(const double* entries)
+{
+    const double* k = entries;
+    Matrix3d S;
+    S << k[0], k[1], k[2], k[1], k[3], k[4], k[2], k[4], k[5];
+    return S;
+}
+
 /** An information matrix scaled to a unit diagonal, because rotations and translations have different units:
 matrix = diag(scale) H diag(scale). */
 struct UnitDiagonal
@@ -43,15 +52,6 @@ inline Matrix3d adjugate(const Matrix3d& S)
     return symmetrised(A);
 }
 
-/** V f(lambda) V^T of a symmetric matrix. */
-template <class Function>
-Matrix3d spectral(const Matrix3d& S, Function f)
-{
-    const Eigen3d eigen(S);
-    const Vector3d lambda = eigen.eigenvalues().unaryExpr(f);
-    return symmetrised(eigen.eigenvectors() * lambda.asDiagonal() * eigen.eigenvectors().transpose());
-}
-
 /** Eigenvalues below `relative` times the largest are raised to it; a negative matrix becomes zero. */
 inline Matrix3d floored(const Matrix3d& S, double relative)
 {
@@ -61,10 +61,29 @@ inline Matrix3d floored(const Matrix3d& S, double relative)
     return symmetrised(eigen.eigenvectors() * lambda.asDiagonal() * eigen.eigenvectors().transpose());
 }
 
-/** Square root of a positive semidefinite matrix; what rounding made negative counts as zero. */
-inline Matrix3d squareRoot(const Matrix3d& S)
+/** S + relative tr(S) I: regular where S is positive semidefinite and not zero, without an eigenproblem. */
+inline Matrix3d lifted(const Matrix3d& S, double relative)
 {
-    return spectral(S, [](double x) { return std::sqrt(std::max(x, 0.0)); });
+    return S + relative * S.trace() * Matrix3d::Identity();
+}
+
+/** The geometric mean of A and B^-1, both SPD: the X with  X B X = A. It is the common limit of their arithmetic and
+harmonic means, which converge quadratically and stay symmetric. */
+inline Matrix3d geometricMean(Matrix3d A, Matrix3d B)
+{
+    constexpr int MOST = 60;         // each round takes a quarter off the logarithm of any ratio: never reached
+    constexpr double EQUAL = 1e-13;  // of tr(A B) - 3, which is about the square of the relative difference
+    const double sizeA = A.trace(), sizeB = B.trace();
+    A /= sizeA;  // determinants of very small or large entries would leave the range of doubles
+    B /= sizeB;
+    for (int k = 0; k < MOST; ++k) {
+        const Matrix3d inverseA = A.inverse();
+        A = 0.5 * (A + symmetrised(B.inverse()));
+        B = 0.5 * (B + symmetrised(inverseA));
+        if ((A * B).trace() - 3 < EQUAL)
+            break;
+    }
+    return std::sqrt(sizeA / sizeB) * A;
 }
 
 /** Eigenvalues above `relative` times the largest. */

@@ -32,7 +32,7 @@ double distance(const Result& result, const Scene& scene)
 // The first `count` points get five times the noise in all.
 void contaminate(cv::RNG& rng, Scene& scene, int count)
 {
-    const Matrix3d root = squareRoot(24 * scene.Sigma);
+    const Matrix3d root = Eigen3d(24 * scene.Sigma).operatorSqrt();
     for (int i = 0; i < count; ++i) {
         const Vector3d e = root * gaussian3(rng);
         for (int k = 0; k < 3; ++k)
@@ -222,7 +222,8 @@ Scene sceneOf(cv::RNG& rng, Made made, int n, double halfField)
         X = rng.uniform(4., 8.) * Vector3d(x, y, 1);
     }
     Scene scene = exactScene(rng, points);
-    const Matrix3d root = made == Made::PIXELS ? Matrix3d(Matrix3d::Zero()) : squareRoot(randomNoise(rng, 0.1));
+    const Matrix3d root =
+        made == Made::PIXELS ? Matrix3d(Matrix3d::Zero()) : Eigen3d(randomNoise(rng, 0.1)).operatorSqrt();
     const double px = made == Made::OBJECT ? 0 : 2;
     for (int i = 0; i < n; ++i) {
         const Vector3d e = root * gaussian3(rng);

@@ -274,7 +274,8 @@ TEST(Gmlpnp_RayPass, leverArmAsGivenHoldsTheNoiseInTheCameraFrame)
         }
         gradient(k) = (c[1] - c[0]) / (2 * h);
     }
-    EXPECT_TRUE(matrixNear(rayPass(data, pose, noise, LeverArm::AS_GIVEN).g, gradient, 1e-6 * gradient.norm()));
+    EXPECT_TRUE(matrixNear(rayPass(data, pose, noise, {LeverArm::AS_GIVEN, NO_PRODUCTS, nullptr}).g, gradient,
+                           1e-6 * gradient.norm()));
 }
 
 // The mean of the gradient at the truth vanishes for either noise: what makes the estimate consistent.
@@ -288,7 +289,7 @@ TEST(Gmlpnp_RayPass, gradientHasNoMeanAtTheTruth)
         const Noise noise{isObject ? object : Matrix3d(1e-12 * Matrix3d::Identity()),
                           isObject ? Matrix3d(Matrix3d::Zero()) : Matrix3d(bearing * bearing * Matrix3d::Identity()),
                           0};
-        const Matrix3d root = squareRoot(object);
+        const Matrix3d root = Eigen3d(object).operatorSqrt();
         Vector6d sum = Vector6d::Zero();
         Matrix6d information = Matrix6d::Zero();
         const int trials = 4000;

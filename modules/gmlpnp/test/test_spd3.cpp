@@ -23,13 +23,23 @@ TEST(Gmlpnp_Spd3, adjugateOfRegularAndSingularMatrices)
     EXPECT_TRUE(matrixNear(adjugate(rankTwo), normal * normal.transpose(), 1e-13));
 }
 
-TEST(Gmlpnp_Spd3, squareRootSquares)
+// X B X = A, whatever the sizes of A and B.
+TEST(Gmlpnp_Spd3, geometricMeanSolvesItsEquation)
 {
     cv::RNG rng = testRng();
-    const Matrix3d S = randomNoise(rng, 3.0), root = squareRoot(S);
-    EXPECT_TRUE(matrixNear(root * root, S, 1e-14 * 9));
-    EXPECT_TRUE(matrixNear(squareRoot(Matrix3d::Zero()), Matrix3d::Zero(), 0));
-    EXPECT_TRUE(matrixNear(squareRoot(-1e-20 * Matrix3d::Identity()), Matrix3d::Zero(), 0));
+    for (double size : {1e-12, 1e-3, 1., 1e9}) {
+        const Matrix3d A = size * randomNoise(rng, 3.0), B = randomNoise(rng, 2.0), X = geometricMean(A, B);
+        EXPECT_TRUE(matrixNear(X * B * X, A, 1e-9 * A.norm())) << size;
+        EXPECT_GT(Eigen3d(X).eigenvalues()(0), 0);
+    }
+    const Matrix3d S = randomNoise(rng, 1.0);
+    EXPECT_TRUE(matrixNear(geometricMean(S, Matrix3d::Identity()), Eigen3d(S).operatorSqrt(), 1e-12));
+}
+
+TEST(Gmlpnp_Spd3, liftedIsRegular)
+{
+    const Matrix3d S = Vector3d(3, 0, 0).asDiagonal();
+    EXPECT_TRUE(matrixNear(lifted(S, 1e-3), Matrix3d(Vector3d(3.003, .003, .003).asDiagonal()), 1e-15));
 }
 
 TEST(Gmlpnp_Spd3, floorRaisesOnlyWhatIsBelowIt)

@@ -1,0 +1,98 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_RAY_KERNELS_HPP
+#define OPENCV_GMLPNP_RAY_KERNELS_HPP
+
+// The loops over the points, compiled once for each instruction set. This header and what includes it for an
+// instruction set of its own stay free of other headers: an inline function of theirs, compiled for AVX2, could be the
+// copy that the linker keeps for all.
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** Columns of the correspondences: object points, unit rays and, or null, the twelve entries of what is known of each
+point (xx xy xz yy yz zz
+of the object covariance and of the ray covariance). */
+struct PointArrays
+{
+    const double* point[3];
+    const double* ray[3];
+    const double* known[12];
+    int size;
+};
+
+/** Sums of products of Q: the curvature of L by an object noise or by a bearing noise. */
+enum Products
+{
+    NO_PRODUCTS,
+    OF_OBJECT,
+    OF_BEARING
+};
+
+/** A pose and a noise; symmetric matrices as xx xy xz yy yz zz. */
+struct PassInput
+{
+    double pose[12];  //!< R by rows, t
+    double S_o[6];    //!< R Sigma R^T
+    double Gamma[6];  //!< all zero: a shorter loop
+    double tail;      //!< 1/nu; 0: Gaussian, a shorter loop
+    double lever;     //!< share of R Sigma R^T z that is taken off the lever arm, 0 or 1
+    Products products;
+    double* c;  //!< receives each point's squared Mahalanobis residual; null: not wanted
+};
+
+/** mantissa * 2^exponent: a product whose logarithm is wanted, without one logarithm a factor. */
+struct ScaledProduct
+{
+    double mantissa = 1;
+    long long exponent = 0;
+};
+
+/** What RaySums is assembled from. H in blocks, phi-delta by rows. */
+struct PassSums
+{
+    double Hpp[6]{}, Hpd[9]{}, Hdd[6]{}, Zo[6]{}, Go[6]{}, Zb[6]{}, Gb[6]{}, gp[3]{}, gd[3]{}, c{}, c2{};
+    double QQ[21]{};              //!< sum of Q_a Q_b or s^4 Q_a Q_b, a <= b of xx xy xz yy yz zz
+    ScaledProduct D, tailed;      //!< product of D, of 1 + c / nu
+    unsigned long long behind{};  //!< points with s < 0
+};
+
+/** Moments of Q = I - m m^T: sum Q, sum p_a Q, and sum p_a p_b Q for ab = xx xy xz yy yz zz. */
+struct MomentSums
+{
+    double Q[6]{}, pQ[3][6]{}, ppQ[6][6]{};
+};
+
+/** Sums for the line variance = a + b x through y, weighted by w = 1 / variance^2, and for its likelihood. */
+struct LineSums
+{
+    double w{}, wx{}, wxx{}, wy{}, wxy{};
+    double misfit{};         //!< sum y / variance
+    ScaledProduct variance;  //!< product of the variances
+};
+
+/** One instruction set. */
+struct RayKernels
+{
+    const char* name;
+    void (*pass)(const PointArrays& data, const PassInput& input, PassSums& sums);
+    void (*moments)(const PointArrays& data, MomentSums& sums);
+    /** Points with s < 0 at a pose, R by rows and then t. */
+    int (*behind)(const PointArrays& data, const double* pose);
+    /** For each tail[k] = 1 / nu the product of 1 + tail[k] c over the squared residuals c. */
+    void (*tails)(const double* c, int size, const double* tail, int count, ScaledProduct* products);
+    /** s^2 and 1/2 |m x X|^2 of each point at a pose. */
+    void (*residuals)(const PointArrays& data, const double* pose, double* depth2, double* residual2);
+    void (*line)(const double* x, const double* y, int size, double a, double b, LineSums& sums);
+};
+
+extern const RayKernels RAY_KERNELS_SCALAR, RAY_KERNELS_VECTOR, RAY_KERNELS_AVX2;
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_RAY_KERNELS_HPP

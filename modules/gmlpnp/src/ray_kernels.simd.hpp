@@ -1,0 +1,531 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+// Included once by the source file of each instruction set: loops over T, a double or a vector of doubles that the
+// operators of the language apply to. Everything here is local to that file. The formulas are those of pointTerms(),
+// the readable twin.
+
+#include <cstring>
+
+#include "ray_kernels.hpp"
+
+#if defined(__GNUC__)
+#define GMLPNP_INLINE inline __attribute__((always_inline))
+#else
+#define GMLPNP_INLINE inline
+#endif
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+namespace {
+
+template <class T>
+struct Vec3
+{
+    T x, y, z;
+};
+
+// Symmetric 3x3.
+template <class T>
+struct Sym3
+{
+    T xx, xy, xz, yy, yz, zz;
+};
+
+template <class T>
+GMLPNP_INLINE void operator+=(Vec3<T>& a, const Vec3<T>& b)
+{
+    a.x += b.x, a.y += b.y, a.z += b.z;
+}
+
+template <class T>
+GMLPNP_INLINE void operator+=(Sym3<T>& a, const Sym3<T>& b)
+{
+    a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
+}
+
+template <class T>
+GMLPNP_INLINE T dot(const Vec3<T>& a, const Vec3<T>& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+GMLPNP_INLINE Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b)
+{
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// R p + t
+template <class T>
+GMLPNP_INLINE Vec3<T> transformed(const Vec3<T> (&R)[3], const Vec3<T>& t, const Vec3<T>& p)
+{
+    return {dot(R[0], p) + t.x, dot(R[1], p) + t.y, dot(R[2], p) + t.z};
+}
+
+template <class T>
+GMLPNP_INLINE Vec3<T> operator*(T k, const Vec3<T>& v)
+{
+    return {k * v.x, k * v.y, k * v.z};
+}
+
+template <class T>
+GMLPNP_INLINE Sym3<T> operator*(T k, const Sym3<T>& S)
+{
+    return {k * S.xx, k * S.xy, k * S.xz, k * S.yy, k * S.yz, k * S.zz};
+}
+
+template <class T>
+GMLPNP_INLINE Vec3<T> operator*(const Sym3<T>& S, const Vec3<T>& v)
+{
+    return {S.xx * v.x + S.xy * v.y + S.xz * v.z, S.xy * v.x + S.yy * v.y + S.yz * v.z,
+            S.xz * v.x + S.yz * v.y + S.zz * v.z};
+}
+
+template <class T>
+GMLPNP_INLINE Sym3<T> outer(const Vec3<T>& v)
+{
+    return {v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
+}
+
+template <class T>
+GMLPNP_INLINE Sym3<T> adjugate(const Sym3<T>& S)
+{
+    return {S.yy * S.zz - S.yz * S.yz, S.xz * S.yz - S.xy * S.zz, S.xy * S.yz - S.xz * S.yy,
+            S.xx * S.zz - S.xz * S.xz, S.xy * S.xz - S.xx * S.yz, S.xx * S.yy - S.xy * S.xy};
+}
+
+template <class T>
+GMLPNP_INLINE T trace(const Sym3<T>& A, const Sym3<T>& B)  // of A B
+{
+    return A.xx * B.xx + A.yy * B.yy + A.zz * B.zz + 2. * (A.xy * B.xy + A.xz * B.xz + A.yz * B.yz);
+}
+
+// [m]^T_x S [m]_x, of M = m m^T
+template <class T>
+GMLPNP_INLINE Sym3<T> sandwich(const Sym3<T>& M, const Sym3<T>& S)
+{
+    return {
+        M.zz * S.yy - 2. * M.yz * S.yz + M.yy * S.zz,          M.yz * S.xz + M.xz * S.yz - M.zz * S.xy - M.xy * S.zz,
+        M.yz * S.xy + M.xy * S.yz - M.yy * S.xz - M.xz * S.yy, M.zz * S.xx - 2. * M.xz * S.xz + M.xx * S.zz,
+        M.xz * S.xy + M.xy * S.xz - M.xx * S.yz - M.yz * S.xx, M.yy * S.xx - 2. * M.xy * S.xy + M.xx * S.yy};
+}
+
+// How a number type is read, spread and seen as bits.
+template <class T>
+struct Lanes;
+
+template <>
+struct Lanes<double>
+{
+    using Bits = unsigned long long;
+    static constexpr int COUNT = 1;
+    static GMLPNP_INLINE double spread(double x) { return x; }
+    static GMLPNP_INLINE double sum(double x) { return x; }
+    static GMLPNP_INLINE double product(double x) { return x; }
+    static GMLPNP_INLINE Bits sumBits(Bits b) { return b; }
+    static GMLPNP_INLINE Bits bits(double x)
+    {
+        Bits b;
+        std::memcpy(&b, &x, sizeof b);
+        return b;
+    }
+    static GMLPNP_INLINE double number(Bits b)
+    {
+        double x;
+        std::memcpy(&x, &b, sizeof x);
+        return x;
+    }
+};
+
+template <class T>
+GMLPNP_INLINE T load(const double* from)
+{
+    T x;
+    std::memcpy(&x, from, sizeof x);
+    return x;
+}
+
+template <class T>
+GMLPNP_INLINE Vec3<T> load3(const double* const* from, int i)
+{
+    return {load<T>(from[0] + i), load<T>(from[1] + i), load<T>(from[2] + i)};
+}
+
+template <class T>
+GMLPNP_INLINE Sym3<T> load6(const double* const* from, int i)
+{
+    return {load<T>(from[0] + i), load<T>(from[1] + i), load<T>(from[2] + i),
+            load<T>(from[3] + i), load<T>(from[4] + i), load<T>(from[5] + i)};
+}
+
+template <class T>
+GMLPNP_INLINE Vec3<T> spread3(const double* v)
+{
+    return {Lanes<T>::spread(v[0]), Lanes<T>::spread(v[1]), Lanes<T>::spread(v[2])};
+}
+
+template <class T>
+GMLPNP_INLINE Sym3<T> spread6(const double* S)
+{
+    return {Lanes<T>::spread(S[0]), Lanes<T>::spread(S[1]), Lanes<T>::spread(S[2]),
+            Lanes<T>::spread(S[3]), Lanes<T>::spread(S[4]), Lanes<T>::spread(S[5])};
+}
+
+template <class T>
+void addTo(double* out, const Vec3<T>& v)
+{
+    const T all[3] = {v.x, v.y, v.z};
+    for (int k = 0; k < 3; ++k)
+        out[k] += Lanes<T>::sum(all[k]);
+}
+
+template <class T>
+void addTo(double* out, const Sym3<T>& S)
+{
+    const T all[6] = {S.xx, S.xy, S.xz, S.yy, S.yz, S.zz};
+    for (int k = 0; k < 6; ++k)
+        out[k] += Lanes<T>::sum(all[k]);
+}
+
+// The product of positive numbers with its exponent apart, so that it may leave the range of a double.
+template <class T>
+struct Product
+{
+    using Bits = typename Lanes<T>::Bits;
+    T mantissa = Lanes<T>::spread(1);
+    Bits exponents{};
+
+    GMLPNP_INLINE void operator*=(T x)
+    {
+        const Bits b = Lanes<T>::bits(mantissa * x);
+        exponents += (b >> 52) - 1023;
+        mantissa = Lanes<T>::number((b & 0x000fffffffffffffull) | 0x3ff0000000000000ull);
+    }
+};
+
+template <class T>
+void addTo(ScaledProduct& out, const Product<T>& product)
+{
+    out.mantissa *= Lanes<T>::product(product.mantissa);
+    out.exponent += static_cast<long long>(Lanes<T>::sumBits(product.exponents));
+}
+
+template <class T>
+struct Accumulator
+{
+    Sym3<T> Hpp{}, Hdd{}, Zo{}, Go{}, Zb{}, Gb{};
+    Vec3<T> Hpd[3]{}, gp{}, gd{};
+    T c{}, c2{}, QQ[21]{};
+    Product<T> D, tailed;
+    typename Lanes<T>::Bits behind{};
+};
+
+// J^T Q J with J = [ -[X]_x , I ], X the lever arm:  phi-delta block [X]_x Q, phi-phi block [X]_x Q [X]_x^T.
+template <class T>
+GMLPNP_INLINE void addInformation(const Vec3<T>& X, const Sym3<T>& Q, Accumulator<T>& sums)
+{
+    const Vec3<T> B0 = {X.y * Q.xz - X.z * Q.xy, X.y * Q.yz - X.z * Q.yy, X.y * Q.zz - X.z * Q.yz};
+    const Vec3<T> B1 = {X.z * Q.xx - X.x * Q.xz, X.z * Q.xy - X.x * Q.yz, X.z * Q.xz - X.x * Q.zz};
+    const Vec3<T> B2 = {X.x * Q.xy - X.y * Q.xx, X.x * Q.yy - X.y * Q.xy, X.x * Q.yz - X.y * Q.xz};
+    sums.Hpd[0] += B0, sums.Hpd[1] += B1, sums.Hpd[2] += B2;
+    sums.Hpp += Sym3<T>{X.y * B0.z - X.z * B0.y, X.z * B0.x - X.x * B0.z, X.x * B0.y - X.y * B0.x,
+                        X.z * B1.x - X.x * B1.z, X.x * B1.y - X.y * B1.x, X.x * B2.y - X.y * B2.x};
+}
+
+template <class T>
+GMLPNP_INLINE void addProducts(const Sym3<T>& Q, T weight, T* sums)
+{
+    const T q[6] = {Q.xx, Q.xy, Q.xz, Q.yy, Q.yz, Q.zz};
+    for (int a = 0, k = 0; a < 6; ++a) {
+        const T weighted = weight * q[a];
+        for (int b = a; b < 6; ++b, ++k)
+            sums[k] += weighted * q[b];
+    }
+}
+
+// What a loop does not need is left out of it at compile time.
+enum Features
+{
+    BEARING_NOISE = 1,  // Gamma is not zero
+    TAILS = 2,          // Student-t
+    KNOWN = 4,          // each point brings covariances of its own
+    PRODUCTS = 8,       // sums of products of Q
+    DEPTH_MATTERS = BEARING_NOISE | KNOWN
+};
+
+// R C R^T
+template <class T>
+GMLPNP_INLINE Sym3<T> rotated(const Vec3<T> (&R)[3], const Sym3<T>& C)
+{
+    const Vec3<T> c0 = C * R[0], c1 = C * R[1], c2 = C * R[2];
+    return {dot(R[0], c0), dot(R[0], c1), dot(R[0], c2), dot(R[1], c1), dot(R[1], c2), dot(R[2], c2)};
+}
+
+template <class T, int FEATURES>
+struct PassState
+{
+    explicit GMLPNP_INLINE PassState(const PassInput& in)
+        : R{spread3<T>(in.pose), spread3<T>(in.pose + 3), spread3<T>(in.pose + 6)},
+          t(spread3<T>(in.pose + 9)),
+          S_o(spread6<T>(in.S_o)),
+          Gamma(spread6<T>(in.Gamma)),
+          adjS(adjugate(S_o)),
+          tail(Lanes<T>::spread(in.tail)),
+          lever(Lanes<T>::spread(in.lever)),
+          ofBearing(in.products == OF_BEARING)
+    {}
+
+    const Vec3<T> R[3], t;
+    const Sym3<T> S_o, Gamma, adjS;
+    const T tail, lever;
+    const bool ofBearing;
+};
+
+template <class T, int FEATURES>
+GMLPNP_INLINE T addPoint(const PassState<T, FEATURES>& at, const Vec3<T>& p, const Vec3<T>& m,
+                         const Sym3<T>& knownObject, const Sym3<T>& knownRay, Accumulator<T>& sums)
+{
+    const Vec3<T> X = transformed(at.R, at.t, p);
+    const Sym3<T> M = outer(m);
+    const T s = dot(m, X), s2 = s * s;
+    Sym3<T> S_o = at.S_o, Gamma = at.Gamma;
+    if constexpr ((FEATURES & KNOWN) != 0) {
+        S_o += rotated(at.R, knownObject);
+        Gamma += knownRay;
+    }
+    Sym3<T> S = S_o, adjS = at.adjS;
+    if constexpr ((FEATURES & DEPTH_MATTERS) != 0) {
+        S += s2 * Gamma;
+        adjS = adjugate(S);
+    }
+    const T D = trace(M, adjS), inverseD = 1. / D;
+    const Sym3<T> Q = inverseD * sandwich(M, S);
+    // Not Q X: on exact data X is as many times longer than v as a double has digits.
+    const Vec3<T> v = cross(m, X), Sv = S * v, z = inverseD * cross(Sv, m);
+    const T c = inverseD * dot(v, Sv);
+
+    Sym3<T> wQ = Q, wzz = outer(z);
+    Vec3<T> zTilde = z;
+    if constexpr ((FEATURES & DEPTH_MATTERS) != 0) {
+        const T pull = s * dot(z, Gamma * z);
+        zTilde = {z.x - pull * m.x, z.y - pull * m.y, z.z - pull * m.z};
+    }
+    if constexpr ((FEATURES & TAILS) != 0) {
+        const T tailed = 1. + at.tail * c, w = (1. + 2. * at.tail) / tailed;
+        wQ = w * Q;
+        wzz = w * wzz;
+        zTilde = w * zTilde;
+        sums.tailed *= tailed;
+    }
+    const Vec3<T> e = at.lever * (S_o * z), Xhat = {X.x - e.x, X.y - e.y, X.z - e.z};
+    addInformation(Xhat, wQ, sums);
+    if constexpr ((FEATURES & TAILS) != 0)
+        sums.Hdd += wQ;
+    sums.gp += cross(Xhat, zTilde);
+    sums.gd += zTilde;
+    sums.Go += Q;
+    sums.Zo += wzz;
+    if constexpr ((FEATURES & DEPTH_MATTERS) != 0) {
+        sums.Zb += s2 * wzz;
+        sums.Gb += s2 * Q;
+    }
+    if constexpr ((FEATURES & PRODUCTS) != 0)
+        addProducts(Q, at.ofBearing ? s2 * s2 : Lanes<T>::spread(1), sums.QQ);
+    sums.c += c;
+    sums.c2 += c * c;
+    sums.D *= D;
+    sums.behind += Lanes<T>::bits(s) >> 63;
+    return c;
+}
+
+// Points [first, last), a whole number of lanes.
+template <class T, int FEATURES>
+void addRange(const PointArrays& data, const PassInput& in, int first, int last, PassSums& out)
+{
+    const PassState<T, FEATURES> at(in);
+    Accumulator<T> sums;
+    for (int i = first; i < last; i += Lanes<T>::COUNT) {
+        Sym3<T> knownObject{}, knownRay{};
+        if constexpr ((FEATURES & KNOWN) != 0) {
+            knownObject = load6<T>(data.known, i);
+            knownRay = load6<T>(data.known + 6, i);
+        }
+        const T c = addPoint(at, load3<T>(data.point, i), load3<T>(data.ray, i), knownObject, knownRay, sums);
+        if (in.c)
+            std::memcpy(in.c + i, &c, sizeof c);
+    }
+    addTo(out.Hpp, sums.Hpp);
+    for (int k = 0; k < 3; ++k)
+        addTo(out.Hpd + 3 * k, sums.Hpd[k]);
+    addTo(out.Hdd, (FEATURES & TAILS) != 0 ? sums.Hdd : sums.Go);
+    addTo(out.Zo, sums.Zo);
+    addTo(out.Go, sums.Go);
+    addTo(out.Zb, sums.Zb);
+    addTo(out.Gb, sums.Gb);
+    addTo(out.gp, sums.gp);
+    addTo(out.gd, sums.gd);
+    out.c += Lanes<T>::sum(sums.c);
+    out.c2 += Lanes<T>::sum(sums.c2);
+    for (int a = 0; a < 21 && (FEATURES & PRODUCTS) != 0; ++a)
+        out.QQ[a] += Lanes<T>::sum(sums.QQ[a]);
+    addTo(out.D, sums.D);
+    addTo(out.tailed, sums.tailed);
+    out.behind += Lanes<T>::sumBits(sums.behind);
+}
+
+template <class T, int FEATURES>
+void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
+{
+    const int whole = data.size - data.size % Lanes<T>::COUNT;
+    addRange<T, FEATURES>(data, in, 0, whole, out);
+    if (whole < data.size)
+        addRange<double, FEATURES>(data, in, whole, data.size, out);
+}
+
+template <class T, int NOISE>
+void passWith(const PointArrays& data, const PassInput& in, PassSums& out)
+{
+    if (in.tail > 0)
+        in.products ? addAll<T, NOISE | TAILS | PRODUCTS>(data, in, out) : addAll<T, NOISE | TAILS>(data, in, out);
+    else
+        in.products ? addAll<T, NOISE | PRODUCTS>(data, in, out) : addAll<T, NOISE>(data, in, out);
+}
+
+template <class T>
+void pass(const PointArrays& data, const PassInput& in, PassSums& out)
+{
+    bool bearing = false;
+    for (double entry : in.Gamma)
+        bearing = bearing || entry != 0;
+    out = PassSums();
+    if (data.known[0])
+        passWith<T, KNOWN>(data, in, out);
+    else if (bearing)
+        passWith<T, BEARING_NOISE>(data, in, out);
+    else
+        passWith<T, 0>(data, in, out);
+}
+
+template <class T>
+void addMoments(const PointArrays& data, int first, int last, MomentSums& out)
+{
+    Sym3<T> sumQ{}, sumPQ[3]{}, sumPPQ[6]{};
+    for (int i = first; i < last; i += Lanes<T>::COUNT) {
+        const Vec3<T> p = load3<T>(data.point, i);
+        const Sym3<T> M = outer(load3<T>(data.ray, i));
+        const Sym3<T> Q = {1. - M.xx, -M.xy, -M.xz, 1. - M.yy, -M.yz, 1. - M.zz};
+        const Sym3<T> xQ = p.x * Q, yQ = p.y * Q, zQ = p.z * Q;
+        sumQ += Q;
+        sumPQ[0] += xQ, sumPQ[1] += yQ, sumPQ[2] += zQ;
+        sumPPQ[0] += p.x * xQ, sumPPQ[1] += p.y * xQ, sumPPQ[2] += p.z * xQ;
+        sumPPQ[3] += p.y * yQ, sumPPQ[4] += p.z * yQ, sumPPQ[5] += p.z * zQ;
+    }
+    addTo(out.Q, sumQ);
+    for (int k = 0; k < 3; ++k)
+        addTo(out.pQ[k], sumPQ[k]);
+    for (int k = 0; k < 6; ++k)
+        addTo(out.ppQ[k], sumPPQ[k]);
+}
+
+template <class T>
+void moments(const PointArrays& data, MomentSums& out)
+{
+    const int whole = data.size - data.size % Lanes<T>::COUNT;
+    out = MomentSums();
+    addMoments<T>(data, 0, whole, out);
+    addMoments<double>(data, whole, data.size, out);
+}
+
+template <class T>
+int countBehind(const PointArrays& data, const double* pose, int first, int last)
+{
+    const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);
+    typename Lanes<T>::Bits behind{};
+    for (int i = first; i < last; i += Lanes<T>::COUNT)
+        behind += Lanes<T>::bits(dot(load3<T>(data.ray, i), transformed(R, t, load3<T>(data.point, i)))) >> 63;
+    return static_cast<int>(Lanes<T>::sumBits(behind));
+}
+
+template <class T>
+int behind(const PointArrays& data, const double* pose)
+{
+    const int whole = data.size - data.size % Lanes<T>::COUNT;
+    return countBehind<T>(data, pose, 0, whole) + countBehind<double>(data, pose, whole, data.size);
+}
+
+template <class T>
+void multiplyTails(const double* c, int first, int last, double tail, ScaledProduct& out)
+{
+    Product<T> product;
+    for (int i = first; i < last; i += Lanes<T>::COUNT)
+        product *= 1. + tail * load<T>(c + i);
+    addTo(out, product);
+}
+
+template <class T>
+void tails(const double* c, int size, const double* tail, int count, ScaledProduct* products)
+{
+    const int whole = size - size % Lanes<T>::COUNT;
+    for (int k = 0; k < count; ++k) {
+        products[k] = ScaledProduct();
+        multiplyTails<T>(c, 0, whole, tail[k], products[k]);
+        multiplyTails<double>(c, whole, size, tail[k], products[k]);
+    }
+}
+
+template <class T>
+void writeResiduals(const PointArrays& data, const double* pose, int first, int last, double* depth2, double* residual2)
+{
+    const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);
+    for (int i = first; i < last; i += Lanes<T>::COUNT) {
+        const Vec3<T> p = load3<T>(data.point, i), m = load3<T>(data.ray, i);
+        const Vec3<T> X = transformed(R, t, p), v = cross(m, X);
+        const T s = dot(m, X), s2 = s * s, v2 = 0.5 * dot(v, v);
+        std::memcpy(depth2 + i, &s2, sizeof s2);
+        std::memcpy(residual2 + i, &v2, sizeof v2);
+    }
+}
+
+template <class T>
+void residuals(const PointArrays& data, const double* pose, double* depth2, double* residual2)
+{
+    const int whole = data.size - data.size % Lanes<T>::COUNT;
+    writeResiduals<T>(data, pose, 0, whole, depth2, residual2);
+    writeResiduals<double>(data, pose, whole, data.size, depth2, residual2);
+}
+
+template <class T>
+void addLine(const double* x, const double* y, int first, int last, double a, double b, LineSums& out)
+{
+    T w{}, wx{}, wxx{}, wy{}, wxy{}, misfit{};
+    Product<T> variances;
+    for (int i = first; i < last; i += Lanes<T>::COUNT) {
+        const T xi = load<T>(x + i), yi = load<T>(y + i);
+        const T variance = a + b * xi, inverse = 1. / variance, wi = inverse * inverse, wxi = wi * xi;
+        w += wi, wx += wxi, wxx += wxi * xi, wy += wi * yi, wxy += wxi * yi;
+        misfit += yi * inverse;
+        variances *= variance;
+    }
+    const T sums[] = {w, wx, wxx, wy, wxy, misfit};
+    double* const to[] = {&out.w, &out.wx, &out.wxx, &out.wy, &out.wxy, &out.misfit};
+    for (int k = 0; k < 6; ++k)
+        *to[k] += Lanes<T>::sum(sums[k]);
+    addTo(out.variance, variances);
+}
+
+template <class T>
+void line(const double* x, const double* y, int size, double a, double b, LineSums& sums)
+{
+    const int whole = size - size % Lanes<T>::COUNT;
+    sums = LineSums();
+    addLine<T>(x, y, 0, whole, a, b, sums);
+    addLine<double>(x, y, whole, size, a, b, sums);
+}
+
+}  // namespace
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv

@@ -1,0 +1,27 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+// Four points at a time. The build compiles this file alone for AVX2 and FMA; ray_pass.cpp asks the machine first.
+
+#if defined(__GNUC__) && defined(__AVX2__) && defined(__FMA__)
+#define GMLPNP_LANES 4
+#include "ray_kernels_vector.hpp"
+#else
+#include "ray_kernels.hpp"
+#endif
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+#ifdef GMLPNP_LANES
+const RayKernels RAY_KERNELS_AVX2 = {"avx2",         pass<Doubles>,      moments<Doubles>, behind<Doubles>,
+                                     tails<Doubles>, residuals<Doubles>, line<Doubles>};
+#else
+const RayKernels RAY_KERNELS_AVX2 = {"avx2", nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+#endif
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv

@@ -1,0 +1,202 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "test_precomp.hpp"
+
+#include "../src/ray_pass.hpp"
+#include "scenes.hpp"
+
+// Each instruction set against the scalar loops, for numbers of points that fill the lanes and that do not.
+
+namespace opencv_test {
+namespace {
+
+using namespace cv::gmlpnp::detail;
+
+struct Noises
+{
+    const char* name;
+    bool bearing, tails, known;
+};
+
+const Noises NOISES[] = {{"object", false, false, false}, {"object, tails", false, true, false},
+                         {"both", true, false, false},    {"both, tails", true, true, false},
+                         {"known", false, false, true},   {"known, tails", true, true, true}};
+const int SIZES[] = {2, 3, 4, 5, 7, 8, 50, 203};
+
+Correspondences randomData(cv::RNG& rng, int n, bool known)
+{
+    const Scene scene = exactScene(rng, surroundingPoints(rng, n));
+    cv::Mat_<double> points = scene.objectPoints.clone(), object, rays;
+    for (double& x : points)
+        x += rng.gaussian(0.05);
+    if (known) {
+        object.create(n, 9);
+        rays.create(n, 9);
+        for (int i = 0; i < n; ++i) {
+            Eigen::Map<Matrix3d>{object[i]} = randomNoise(rng, 0.1);
+            Eigen::Map<Matrix3d>{rays[i]} = randomNoise(rng, 0.01);
+        }
+    }
+    return Correspondences(points, scene.rays, object, rays);
+}
+
+Pose somePose(cv::RNG& rng)
+{
+    return {randomRotation(rng), 2 * gaussian3(rng)};
+}
+
+testing::AssertionResult near(double a, double b, double size)
+{
+    constexpr double ROUNDING = 1e-12;  // of sums of 200 terms in another order, and with fused multiplications
+    if (std::abs(a - b) <= ROUNDING * (std::abs(size) + 1e-300))
+        return testing::AssertionSuccess();
+    return testing::AssertionFailure() << a << " and " << b << " differ by " << a - b;
+}
+
+template <class Matrix>
+testing::AssertionResult near(const Matrix& a, const Matrix& b)
+{
+    return matrixNear(a, b, 1e-11 * a.norm());
+}
+
+void expectSame(const RaySums& a, const RaySums& b, int n)
+{
+    EXPECT_TRUE(near(a.H, b.H));
+    EXPECT_TRUE(near(a.g, b.g));
+    EXPECT_TRUE(near(a.Zo, b.Zo));
+    EXPECT_TRUE(near(a.Go, b.Go));
+    EXPECT_TRUE(near(a.Zb, b.Zb));
+    EXPECT_TRUE(near(a.Gb, b.Gb));
+    EXPECT_TRUE(near(a.QQ, b.QQ));
+    EXPECT_TRUE(near(a.c, b.c, a.c));
+    EXPECT_TRUE(near(a.c2, b.c2, a.c2));
+    EXPECT_TRUE(near(a.misfit, b.misfit, a.misfit));
+    EXPECT_TRUE(near(a.L, b.L, std::abs(a.L) + 10 * n));
+    EXPECT_EQ(a.inFront, b.inFront);
+}
+
+TEST(Gmlpnp_RayKernels, scalarOnesAreThereAndTheBestComesFirst)
+{
+    const std::vector<const RayKernels*> all = availableKernels();
+    ASSERT_FALSE(all.empty());
+    EXPECT_STREQ("scalar", all.back()->name);
+    EXPECT_EQ(all.front(), &rayKernels());
+    std::cout << "instruction sets:";
+    for (const RayKernels* kernels : all)
+        std::cout << " " << kernels->name;
+    std::cout << std::endl;
+}
+
+TEST(Gmlpnp_RayKernels, passesAgreeWithTheScalarOne)
+{
+    cv::RNG rng = testRng();
+    for (const RayKernels* kernels : availableKernels())
+        for (const Noises& noises : NOISES)
+            for (int n : SIZES) {
+                SCOPED_TRACE(testing::Message() << kernels->name << ", " << noises.name << ", " << n << " points");
+                const Correspondences data = randomData(rng, n, noises.known);
+                const Pose pose = somePose(rng);
+                Noise noise;
+                noise.Sigma = randomNoise(rng, 0.2);
+                noise.Gamma = noises.bearing ? randomNoise(rng, 0.05) : Matrix3d(Matrix3d::Zero());
+                noise.tail = noises.tails ? 0.2 : 0;
+                std::vector<double> c(n), cScalar(n);
+                const RaySums found = rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, c.data()}, *kernels);
+                expectSame(rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, cScalar.data()},
+                                   *availableKernels().back()),
+                           found, n);
+                for (int i = 0; i < n; ++i)
+                    EXPECT_TRUE(near(cScalar[i], c[i], 100 * (1 + cScalar[i])));
+            }
+}
+
+// The sums of products against the terms of each point.
+TEST(Gmlpnp_RayKernels, productsAreThoseOfQ)
+{
+    cv::RNG rng = testRng();
+    const Correspondences data = randomData(rng, 23, false);
+    const Pose pose = somePose(rng);
+    const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), 0};
+    Matrix6d object = Matrix6d::Zero(), bearing = Matrix6d::Zero();
+    for (int i = 0; i < data.size(); ++i) {
+        const PointTerms at = pointTerms(data, i, pose, noise);
+        Vector6d q;
+        q << at.Q(0, 0), at.Q(0, 1), at.Q(0, 2), at.Q(1, 1), at.Q(1, 2), at.Q(2, 2);
+        object += q * q.transpose();
+        bearing += std::pow(at.s, 4) * q * q.transpose();
+    }
+    const auto sumsOf = [&](Products products) {
+        return rayPass(data, pose, noise, {LeverArm::CORRECTED, products, nullptr}).QQ;
+    };
+    EXPECT_TRUE(matrixNear(sumsOf(OF_OBJECT), object, 1e-9 * object.norm()));
+    EXPECT_TRUE(matrixNear(sumsOf(OF_BEARING), bearing, 1e-9 * bearing.norm()));
+}
+
+TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)
+{
+    cv::RNG rng = testRng();
+    for (const RayKernels* kernels : availableKernels())
+        for (int n : SIZES) {
+            SCOPED_TRACE(testing::Message() << kernels->name << ", " << n << " points");
+            const Correspondences data = randomData(rng, n, false);
+            const Pose pose = somePose(rng);
+            double at[12];
+            Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{at} = pose.R;
+            Eigen::Map<Vector3d>{at + 9} = pose.t;
+
+            std::vector<double> x(n), y(n);
+            kernels->residuals(data.arrays(), at, x.data(), y.data());
+            MomentSums moments;
+            kernels->moments(data.arrays(), moments);
+            LineSums line;
+            kernels->line(x.data(), y.data(), n, 0.3, 0.7, line);
+            const double tail = 0.4;
+            ScaledProduct tailed;
+            kernels->tails(x.data(), n, &tail, 1, &tailed);
+
+            int behind = 0;
+            double logTailed = 0, logVariance = 0, wxy = 0, misfit = 0;
+            Matrix3d Q = Matrix3d::Zero(), yzQ = Matrix3d::Zero();
+            for (int i = 0; i < n; ++i) {
+                const Vector3d m = data.rayAt(i), p = data.pointAt(i), X = pose * p;
+                const double s2 = m.dot(X) * m.dot(X), v2 = 0.5 * m.cross(X).squaredNorm(), variance = 0.3 + 0.7 * s2;
+                EXPECT_TRUE(near(s2, x[i], 100 * X.squaredNorm()));
+                EXPECT_TRUE(near(v2, y[i], 100 * X.squaredNorm()));
+                behind += m.dot(X) < 0;
+                logTailed += std::log1p(tail * s2);
+                logVariance += std::log(variance);
+                wxy += s2 * v2 / (variance * variance);
+                misfit += v2 / variance;
+                Q += Matrix3d::Identity() - m * m.transpose();
+                yzQ += p(1) * p(2) * (Matrix3d::Identity() - m * m.transpose());
+            }
+            EXPECT_EQ(behind, kernels->behind(data.arrays(), at));
+            EXPECT_TRUE(near(logTailed, logarithm(tailed), 1 + n));
+            EXPECT_TRUE(near(logVariance, logarithm(line.variance), 1 + n));
+            EXPECT_TRUE(near(wxy, line.wxy, wxy));
+            EXPECT_TRUE(near(misfit, line.misfit, misfit));
+            EXPECT_TRUE(matrixNear(symmetric(moments.Q), Q, 1e-12 * n));
+            EXPECT_TRUE(matrixNear(symmetric(moments.ppQ[4]), yzQ, 1e-11 * n));
+        }
+}
+
+// Far more factors than the range of a double allows.
+TEST(Gmlpnp_RayKernels, productsDoNotLeaveTheRange)
+{
+    const int n = 4001;
+    const std::vector<double> small(n, 0.), c(n, 1e100);
+    for (const RayKernels* kernels : availableKernels()) {
+        LineSums line;
+        kernels->line(small.data(), small.data(), n, 1e-40, 0, line);
+        EXPECT_NEAR(logarithm(line.variance), n * std::log(1e-40), 1e-9 * n) << kernels->name;
+        const double tail = 1;
+        ScaledProduct tailed;
+        kernels->tails(c.data(), n, &tail, 1, &tailed);
+        EXPECT_NEAR(logarithm(tailed), n * std::log(1e100), 1e-9 * n) << kernels->name;
+    }
+}
+
+}  // namespace
+}  // namespace opencv_test
