@@ -65,7 +65,8 @@ Matrix3d moved(const Matrix3d& C, const Matrix3d& step)
     constexpr double SHRINK = -2.5, GROW = 1.5;  // of the logarithm: a round does not leave the region it knows
     const Matrix3d L = C.llt().matrixL();
     const Matrix3d inverseL = L.inverse();
-    const Eigen3d eigen(symmetrised(inverseL * step * inverseL.transpose()));
+    Eigen3d eigen;
+    eigen.computeDirect(symmetrised(inverseL * step * inverseL.transpose()));  // a step need not be exact
     const Vector3d factors = eigen.eigenvalues().cwiseMax(SHRINK).cwiseMin(GROW).array().exp();
     const Matrix3d root = L * eigen.eigenvectors();
     return regular(symmetrised(root * factors.asDiagonal() * root.transpose()), TINY_FLOOR);
