@@ -6,8 +6,6 @@
 // by ORB, the first lifted to 3D by its depth image, with the true motion between the two in the header.
 
 #include <iostream>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 #include <opencv2/core/version.hpp>
@@ -33,26 +31,11 @@ const char* const kKeys =
     "{source         | TUM RGB-D benchmark, TUM Computer Vision Group, CC BY 4.0; Sturm et al., A Benchmark for the "
     "Evaluation of RGB-D SLAM Systems, IROS 2012 | attribution for the files' headers}";
 
-std::vector<double> numbersOf(const std::string& text, const char* option)
-{
-    std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
-    std::vector<double> values;
-    for (double value = 0.0; stream >> value;)
-        values.push_back(value);
-    if (!stream.eof())
-        throw std::runtime_error(std::string("--") + option + ": '" + text + "' is not a list of numbers");
-    return values;
-}
-
 MatchingOptions matchingOptions(const Arguments& arguments)
 {
     MatchingOptions options;
-    const std::vector<double> k = numbersOf(arguments.get<std::string>("camera"), "camera");
-    if (k.size() != 4 || !(k[0] > 0.0) || !(k[1] > 0.0))
-        throw std::runtime_error("--camera: expected fx fy cx cy");
-    options.cameraMatrix = cv::Matx33d(k[0], 0.0, k[2], 0.0, k[1], k[3], 0.0, 0.0, 1.0);
-    options.distCoeffs = numbersOf(arguments.get<std::string>("distortion"), "distortion");
+    options.cameraMatrix = cameraMatrixOf(arguments);
+    options.distCoeffs = arguments.numbers("distortion");
     options.features = arguments.get<int>("features");
     options.ransacPixels = arguments.get<double>("ransac");
     if (options.features < 1 || !(options.ransacPixels >= 0.0))

@@ -69,6 +69,12 @@ void Canvas::rectangle(const cv::Rect2d& rectangle, const cv::Scalar& colour, do
     line(d, a, colour, width);
 }
 
+void Canvas::fill(const cv::Rect2d& rectangle, const cv::Scalar& colour)
+{
+    const cv::Point2d a = kScale * (rectangle.tl() - origin_), b = kScale * (rectangle.br() - origin_);
+    cv::rectangle(target_, cv::Rect(cv::Point(a), cv::Point(b)), colour, cv::FILLED);
+}
+
 void Canvas::ellipse(cv::Point2d centre, const cv::Matx22d& covariance, const cv::Scalar& colour, double width)
 {
     cv::Mat values, vectors;

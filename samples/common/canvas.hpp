@@ -5,6 +5,7 @@
 #ifndef GMLPNP_SAMPLES_CANVAS_HPP
 #define GMLPNP_SAMPLES_CANVAS_HPP
 
+#include <array>
 #include <string>
 
 #include <opencv2/core.hpp>
@@ -17,6 +18,9 @@ namespace colour {
 const cv::Scalar kBlue(178, 114, 0), kOrange(0, 94, 213), kBlack(30, 30, 30), kGrey(130, 130, 130);
 const cv::Scalar kLightBlue(226, 195, 148), kLightOrange(148, 184, 240), kLightGrey(232, 232, 232);
 const cv::Scalar kWhite(255, 255, 255);
+//! For the curves of one graph.
+const std::array<cv::Scalar, 8> kPalette = {kGrey,           {0, 159, 230}, {115, 158, 0}, {233, 180, 86},
+                                            {167, 121, 204}, kBlack,        kBlue,         kOrange};
 }  // namespace colour
 
 enum class Align
@@ -37,6 +41,7 @@ public:
     void arrow(cv::Point2d from, cv::Point2d to, const cv::Scalar& colour, double width = 1.0);
     void disc(cv::Point2d centre, double radius, const cv::Scalar& colour);
     void rectangle(const cv::Rect2d& rectangle, const cv::Scalar& colour, double width = 1.0);
+    void fill(const cv::Rect2d& rectangle, const cv::Scalar& colour);
     //! The points at squared Mahalanobis distance 1 from the centre.
     void ellipse(cv::Point2d centre, const cv::Matx22d& covariance, const cv::Scalar& colour, double width = 1.0);
     //! Text on a line whose middle height is at `anchor`.

@@ -6,6 +6,7 @@
 
 #include <exception>
 #include <iostream>
+#include <locale>
 #include <set>
 #include <sstream>
 
@@ -34,6 +35,19 @@ std::string optionName(const std::string& argument)
 }
 
 }  // namespace
+
+std::vector<double> Arguments::numbers(const std::string& name) const
+{
+    const std::string text = options.get<std::string>(name);
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    std::vector<double> values;
+    for (double value = 0.0; stream >> value;)
+        values.push_back(value);
+    if (!stream.eof())
+        throw std::runtime_error("--" + name + ": '" + text + "' is not a list of numbers");
+    return values;
+}
 
 int runProgram(int argc, char** argv, const std::string& keys, const std::string& about, size_t fewestFiles,
                const std::function<int(const Arguments&)>& run)

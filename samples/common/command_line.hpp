@@ -30,6 +30,10 @@ struct Arguments
             throw std::runtime_error("--" + name + ": '" + options.get<std::string>(name) + "' is not understood");
         return value;
     }
+
+    //! The numbers of an option that is a list of them, separated by blanks.
+    //! @throws std::runtime_error for anything else in it.
+    std::vector<double> numbers(const std::string& name) const;
 };
 
 /** The body of main(): parses the arguments, answers --help, calls `run` and turns an exception into a message and

@@ -14,7 +14,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 namespace samples {
 
@@ -244,6 +243,28 @@ void writeHeader(std::ostream& out, const CorrespondenceSet& set)
 std::string CorrespondenceSet::name() const
 {
     return std::filesystem::path(path).stem().string();
+}
+
+cv::Ptr<cv::gmlpnp::CameraModel> CorrespondenceSet::camera() const
+{
+    return lens ? lens : cv::gmlpnp::CameraModel::pinhole(cameraMatrix, distCoeffs);
+}
+
+std::vector<cv::Point3d> centred(std::vector<cv::Point3d> points, cv::Point3d& centroid)
+{
+    centroid = cv::Point3d();
+    for (const cv::Point3d& p : points)
+        centroid += p / static_cast<double>(points.size());
+    for (cv::Point3d& p : points)
+        p -= centroid;
+    return points;
+}
+
+void requireMatches(const CorrespondenceSet& set, const std::string& first, const std::string& second)
+{
+    if (set.objectPoints.size() < kMinCorrespondences)
+        throw TooFewMatches("only " + std::to_string(set.objectPoints.size()) + " matches between " + first + " and " +
+                            second);
 }
 
 CorrespondenceSet readCorrespondences(const std::string& path, CameraIn camera)

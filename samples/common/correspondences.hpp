@@ -5,8 +5,11 @@
 #ifndef GMLPNP_SAMPLES_CORRESPONDENCES_HPP
 #define GMLPNP_SAMPLES_CORRESPONDENCES_HPP
 
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <opencv2/gmlpnp/camera.hpp>
 
 #include "common/pose.hpp"
 
@@ -33,8 +36,9 @@ struct CorrespondenceSet
     std::string path;
     cv::Matx33d cameraMatrix = cv::Matx33d::eye();
     std::vector<double> distCoeffs;
-    cv::Size imageSize;  //!< empty where the file does not say
-    std::string unit;    //!< empty where the file does not say
+    cv::Ptr<cv::gmlpnp::CameraModel> lens;  //!< null: the pinhole of the two above. No file carries it
+    cv::Size imageSize;                     //!< empty where the file does not say
+    std::string unit;                       //!< empty where the file does not say
     bool hasTruth = false;
     Pose truth;
     std::vector<std::string> source;
@@ -43,7 +47,14 @@ struct CorrespondenceSet
 
     //! The file's name without folder and extension.
     std::string name() const;
+
+    //! `lens`, or the pinhole.
+    cv::Ptr<cv::gmlpnp::CameraModel> camera() const;
 };
+
+/** The points relative to their centroid: with map coordinates of 1e6 m OpenCV's ITERATIVE is off by kilometres, and
+its RANSAC computes in single precision. */
+std::vector<cv::Point3d> centred(std::vector<cv::Point3d> points, cv::Point3d& centroid);
 
 //! The fewest rows that a pose can be computed from.
 constexpr size_t kMinCorrespondences = 4;
@@ -54,6 +65,15 @@ enum class CameraIn
     kFile,      //!< in the correspondence file
     kElsewhere  //!< in a calibration file: what the correspondence file says of it is ignored
 };
+
+/** Two pictures that give too few correspondences for a pose: no fault of a file. */
+struct TooFewMatches : std::runtime_error
+{
+    using std::runtime_error::runtime_error;
+};
+
+/** @throws TooFewMatches naming the two pictures where fewer than kMinCorrespondences are left. */
+void requireMatches(const CorrespondenceSet& set, const std::string& first, const std::string& second);
 
 /** Reads a file. @throws std::runtime_error with "file:line: what is wrong" for anything malformed. */
 CorrespondenceSet readCorrespondences(const std::string& path, CameraIn camera = CameraIn::kFile);

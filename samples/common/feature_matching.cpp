@@ -4,35 +4,23 @@
 
 #include "common/feature_matching.hpp"
 
-#include <stdexcept>
-
 #include <opencv2/features2d.hpp>
 #include <opencv2/gmlpnp/compat.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "common/images.hpp"
+#include "common/outliers.hpp"
+
 namespace samples {
 
 namespace {
-
-//! RANSAC draws from cv::theRNG(); seeded for each pair, its result does not depend on the pairs before.
-constexpr int kSeed = 1;
-constexpr int kRansacIterations = 1000;
-constexpr double kRansacConfidence = 0.999;
 
 struct Features
 {
     std::vector<cv::KeyPoint> keypoints;
     cv::Mat descriptors;
 };
-
-cv::Mat readImage(const std::string& path, int flags)
-{
-    cv::Mat image = cv::imread(path, flags);
-    if (image.empty())
-        throw std::runtime_error(path + ": cannot be read as an image");
-    return image;
-}
 
 cv::Mat readDepth(const std::string& path)
 {
@@ -72,27 +60,15 @@ void lift(const Features& first, const Features& second, const cv::Mat& depth, C
     }
 }
 
-void keepInliers(double thresholdPixels, CorrespondenceSet& set)
-{
-    if (thresholdPixels <= 0.0 || set.objectPoints.size() < kMinCorrespondences)
-        return;
-    cv::setRNGSeed(kSeed);
-    cv::Vec3d rvec, tvec;
-    std::vector<int> inliers;
-    cv::solvePnPRansac(set.objectPoints, set.imagePoints, set.cameraMatrix, set.distCoeffs, rvec, tvec, false,
-                       kRansacIterations, static_cast<float>(thresholdPixels), kRansacConfidence, inliers,
-                       cv::SOLVEPNP_EPNP);
-    std::vector<cv::Point3d> points;
-    std::vector<cv::Point2d> pixels;
-    for (const int i : inliers) {
-        points.push_back(set.objectPoints[static_cast<size_t>(i)]);
-        pixels.push_back(set.imagePoints[static_cast<size_t>(i)]);
-    }
-    set.objectPoints = points;
-    set.imagePoints = pixels;
-}
-
 }  // namespace
+
+cv::Matx33d cameraMatrixOf(const Arguments& arguments)
+{
+    const std::vector<double> k = arguments.numbers("camera");
+    if (k.size() != 4 || !(k[0] > 0.0) || !(k[1] > 0.0))
+        throw std::runtime_error("--camera: expected fx fy cx cy");
+    return {k[0], 0.0, k[2], 0.0, k[1], k[3], 0.0, 0.0, 1.0};
+}
 
 CorrespondenceSet matchFrames(const TumSequence& sequence, const FramePair& pair, const MatchingOptions& options)
 {
@@ -107,10 +83,8 @@ CorrespondenceSet matchFrames(const TumSequence& sequence, const FramePair& pair
     set.hasTruth = true;
     set.truth = pair.secondFromFirst;
     lift(detect(firstImage, options.features), detect(secondImage, options.features), readDepth(first.depthFile), set);
-    keepInliers(options.ransacPixels, set);
-    if (set.objectPoints.size() < kMinCorrespondences)
-        throw std::runtime_error("only " + std::to_string(set.objectPoints.size()) + " matches between " +
-                                 first.colourFile + " and " + second.colourFile);
+    rejectOutliers(set, options.ransacPixels, options.seed);
+    requireMatches(set, first.colourFile, second.colourFile);
     return set;
 }
 

@@ -5,6 +5,7 @@
 #ifndef GMLPNP_SAMPLES_FEATURE_MATCHING_HPP
 #define GMLPNP_SAMPLES_FEATURE_MATCHING_HPP
 
+#include "common/command_line.hpp"
 #include "common/correspondences.hpp"
 #include "common/tum_rgbd.hpp"
 
@@ -16,12 +17,16 @@ struct MatchingOptions
     cv::Matx33d cameraMatrix;
     std::vector<double> distCoeffs;
     int features = 1000;        //!< ORB features per image
-    double ransacPixels = 3.0;  //!< inlier threshold of cv::solvePnPRansac, px; 0: every match is kept
+    double ransacPixels = 3.0;  //!< threshold of rejectOutliers(), px; 0: every match is kept
+    int seed = 1;               //!< of the random numbers it draws
 };
+
+/** The camera matrix of an option --camera, "fx fy cx cy" in px. @throws std::runtime_error for anything else. */
+cv::Matx33d cameraMatrixOf(const Arguments& arguments);
 
 /** Correspondences between two frames: the first frame's ORB features lifted to its camera frame by the depth image,
 the second frame's pixels. Equal input gives equal output.
-@throws std::runtime_error where an image is missing or too few matches remain. */
+@throws std::runtime_error where an image is missing, TooFewMatches where too few matches remain. */
 CorrespondenceSet matchFrames(const TumSequence& sequence, const FramePair& pair, const MatchingOptions& options);
 
 }  // namespace samples

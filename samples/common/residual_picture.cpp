@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include <opencv2/imgcodecs.hpp>
-
-#include "common/canvas.hpp"
-#include "common/table.hpp"
+#include "common/axes.hpp"
+#include "common/images.hpp"
+#include "common/statistics.hpp"
 
 namespace samples {
 
@@ -23,31 +21,6 @@ const cv::Rect2d kImageArea(60, 90, 860, 620), kUpperPlot(1000, 90, 380, 260), k
 constexpr double kEllipseRadius = 24.0;
 //! The plots reach this many times as far as the ellipse, so that outliers are seen too.
 constexpr double kPlotReach = 1.6;
-
-//! The tick labels must not run into each other, px of the picture.
-constexpr double kLabelWidth = 56.0;
-
-//! An affine map, per axis, from what is drawn to the picture.
-struct Map
-{
-    cv::Point2d origin, centre;  // `centre` is drawn at `origin`
-    double scale;
-
-    cv::Point2d operator()(cv::Point2d p) const { return origin + scale * (p - centre); }
-};
-
-//! The largest of 1, 2, 5 times a power of ten that is not above the value.
-double roundStep(double value)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    return power * (value >= 5.0 * power ? 5.0 : value >= 2.0 * power ? 2.0 : 1.0);
-}
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 const cv::Scalar& colourOf(const Residual& residual)
 {
@@ -74,39 +47,6 @@ cv::Rect2d imageBounds(const CorrespondenceSet& set)
     return {low - cv::Point2d(margin, margin), high + cv::Point2d(margin, margin)};
 }
 
-//! Fits what is drawn into an area of the picture, centred, equal scale on both axes.
-Map fit(const cv::Rect2d& what, const cv::Rect2d& area)
-{
-    const auto middle = [](const cv::Rect2d& r) { return 0.5 * (r.tl() + r.br()); };
-    return {middle(area), middle(what), std::min(area.width / what.width, area.height / what.height)};
-}
-
-//! Ticks at round numbers along the lower and the left edge of a frame, with faint lines across.
-void drawAxes(Canvas& canvas, const Map& map, const cv::Rect2d& frame, const std::string& xLabel,
-              const std::string& yLabel)
-{
-    double step = roundStep(90.0 / map.scale);
-    if (step * map.scale < kLabelWidth)
-        step = roundStep(2.5 * step);  // the next one
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-    const cv::Point2d low = map.centre + (frame.tl() - map.origin) / map.scale;
-    const cv::Point2d high = map.centre + (frame.br() - map.origin) / map.scale;
-    // Counted in whole steps; adding zero turns a negative zero into zero.
-    for (double i = std::ceil(low.x / step); i * step <= high.x; ++i) {
-        const double at = map({i * step, 0.0}).x;
-        canvas.line({at, frame.y}, {at, frame.br().y}, colour::kLightGrey);
-        canvas.text(fixed(i * step + 0.0, decimals), {at, frame.br().y + 13.0}, colour::kBlack, Align::kCentre, 0.38);
-    }
-    for (double i = std::ceil(low.y / step); i * step <= high.y; ++i) {
-        const double at = map({0.0, i * step}).y;
-        canvas.line({frame.x, at}, {frame.br().x, at}, colour::kLightGrey);
-        canvas.text(fixed(i * step + 0.0, decimals), {frame.x - 7.0, at}, colour::kBlack, Align::kRight, 0.38);
-    }
-    canvas.rectangle(frame, colour::kGrey);
-    canvas.text(xLabel, {0.5 * (frame.x + frame.br().x), frame.br().y + 31.0}, colour::kBlack, Align::kCentre);
-    canvas.text(yLabel, {frame.x - 10.0, frame.y - 16.0}, colour::kBlack, Align::kCentre);
-}
-
 //! Residuals and ellipses are drawn this many times too large, so that they can be seen.
 double magnification(const std::vector<Residual>& residuals, double scale)
 {
@@ -121,7 +61,7 @@ void drawImagePlane(Canvas& canvas, const CorrespondenceSet& set, const std::vec
 {
     const Map map = fit(imageBounds(set), kImageArea);
     const cv::Rect2d bounds = imageBounds(set), frame(map(bounds.tl()), map(bounds.br()));
-    const double magnified = magnification(residuals, map.scale), scale = magnified * map.scale;
+    const double magnified = magnification(residuals, map.scale.x), scale = magnified * map.scale.x;
     drawAxes(canvas, map, frame, "u [px]", "v [px]");
     canvas.clip(frame);
     for (const Residual& r : residuals)
@@ -160,7 +100,7 @@ void drawObjectSpace(Canvas& canvas, const std::vector<Residual>& residuals, con
     drawAxes(canvas, map, frame, std::string(plane.xName) + " [" + unit.name + "]",
              std::string(plane.yName) + " [" + unit.name + "]");
     canvas.clip(frame);
-    canvas.ellipse(map({}), map.scale * map.scale * ellipse, colour::kBlack, 1.2);
+    canvas.ellipse(map({}), map.scale.x * map.scale.x * ellipse, colour::kBlack, 1.2);
     for (const Residual& r : residuals)
         canvas.disc(map({perUnit * r.object[a], perUnit * r.object[d]}), 1.8, colourOf(r));
     canvas.clip();
@@ -205,8 +145,7 @@ void writeResiduals(const std::string& path, const CorrespondenceSet& set, const
                     const std::string& method)
 {
     const std::string title = set.name() + ": " + std::to_string(set.objectPoints.size()) + " points, " + method;
-    if (!cv::imwrite(path, drawResiduals(set, residuals, title, shownUnit(set.unit))))
-        throw std::runtime_error(path + ": cannot be written");
+    writeImage(path, drawResiduals(set, residuals, title, shownUnit(set.unit)));
 }
 
 }  // namespace samples

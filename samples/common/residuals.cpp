@@ -95,7 +95,7 @@ std::vector<Residual> residualsOf(const cv::gmlpnp::CameraModel& camera, const C
 
 std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp::Result& result)
 {
-    return residualsOf(*cv::gmlpnp::CameraModel::pinhole(set.cameraMatrix, set.distCoeffs), set, result);
+    return residualsOf(*set.camera(), set, result);
 }
 
 PixelScale meanPixelScale(const cv::gmlpnp::CameraModel& camera, const std::vector<cv::Point2d>& pixels,

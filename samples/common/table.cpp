@@ -11,12 +11,18 @@
 
 namespace samples {
 
-void Table::print(std::ostream& out) const
+std::vector<size_t> Table::widths() const
 {
     std::vector<size_t> widths(rows_[0].size(), 0);
     for (const auto& row : rows_)
         for (size_t c = 0; c < row.size(); ++c)
             widths[c] = std::max(widths[c], row[c].size());
+    return widths;
+}
+
+void Table::print(std::ostream& out) const
+{
+    const std::vector<size_t> widths = this->widths();
     size_t total = 0;
     for (const size_t width : widths)
         total += width + 2;
@@ -28,6 +34,26 @@ void Table::print(std::ostream& out) const
         out << "\n";
         if (r == 0)
             out << std::string(total - 2, '-') << "\n";
+    }
+}
+
+void Table::printMarkdown(std::ostream& out) const
+{
+    const std::vector<size_t> widths = this->widths();
+    for (size_t r = 0; r < rows_.size(); ++r) {
+        out << "|";
+        for (size_t c = 0; c < widths.size(); ++c) {
+            const std::string text = c < rows_[r].size() ? rows_[r][c] : std::string();
+            const std::string padding(widths[c] - text.size(), ' ');
+            out << " " << (c == 0 ? text + padding : padding + text) << " |";
+        }
+        out << "\n";
+        if (r > 0)
+            continue;
+        out << "|";
+        for (size_t c = 0; c < widths.size(); ++c)
+            out << (c == 0 ? std::string(widths[c] + 2, '-') : std::string(widths[c] + 1, '-') + ":") << "|";
+        out << "\n";
     }
 }
 

@@ -22,8 +22,13 @@ public:
 
     void print(std::ostream& out) const;
 
+    //! As a Markdown table.
+    void printMarkdown(std::ostream& out) const;
+
 private:
     std::vector<std::vector<std::string>> rows_;
+
+    std::vector<size_t> widths() const;
 };
 
 /** A number with a fixed count of decimals: "12.30". */

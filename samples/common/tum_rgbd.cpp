@@ -5,10 +5,12 @@
 #include "common/tum_rgbd.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <locale>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -115,6 +117,19 @@ cv::Matx33d rotationMatrix(const cv::Vec4d& quaternion)
 }
 
 }  // namespace
+
+bool tumCalibration(const std::string& sequence, TumCalibration& calibration)
+{
+    static const std::array<TumCalibration, 3> calibrations = {
+        {{{517.3, 0.0, 318.6, 0.0, 516.5, 255.3, 0.0, 0.0, 1.0}, {0.2624, -0.9531, -0.0054, 0.0026, 1.1633}},
+         {{520.9, 0.0, 325.1, 0.0, 521.0, 249.7, 0.0, 0.0, 1.0}, {0.2312, -0.7849, -0.0033, -0.0001, 0.9172}},
+         {{535.4, 0.0, 320.1, 0.0, 539.2, 247.6, 0.0, 0.0, 1.0}, {}}}};
+    std::smatch match;
+    if (!std::regex_search(sequence, match, std::regex("fr(?:eiburg)?([123])")))
+        return false;
+    calibration = calibrations[static_cast<size_t>(match[1].str()[0] - '1')];
+    return true;
+}
 
 TumSequence readTumSequence(const std::string& folder)
 {

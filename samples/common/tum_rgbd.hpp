@@ -50,6 +50,17 @@ constexpr double kAssociationTolerance = 0.02;
 //! The depth images' unit: 5000 is one metre.
 constexpr double kDepthUnitsPerMetre = 5000.0;
 
+/** The benchmark's calibration of the colour camera. */
+struct TumCalibration
+{
+    cv::Matx33d cameraMatrix;
+    std::vector<double> distCoeffs;
+};
+
+/** The calibration of the camera that a sequence's name tells: its first "freiburg" or "fr" followed by 1, 2 or 3.
+@return false where it tells none. */
+bool tumCalibration(const std::string& sequence, TumCalibration& calibration);
+
 /** Reads the lists of a sequence. @throws std::runtime_error naming the file and line that cannot be used. */
 TumSequence readTumSequence(const std::string& folder);
 

@@ -12,3 +12,16 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
 file(MAKE_DIRECTORY ${WORK_DIR})
+
+# Ends the test, which counts as skipped, where a file of the data sets is not there.
+macro(require_data name)
+  if(DEFINED ENV{GMLPNP_DATA})
+    set(DATA $ENV{GMLPNP_DATA})
+  else()
+    set(DATA ${DATA_DEFAULT})
+  endif()
+  if(NOT EXISTS ${DATA}/${name})
+    message("skipped: no ${name} in ${DATA}; its folder is GMLPNP_DATA")
+    return()
+  endif()
+endmacro()

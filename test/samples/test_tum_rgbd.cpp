@@ -85,6 +85,22 @@ TEST(TumRgbd, DepthIsMetresAndZeroWhereNothingIsMeasured)
     EXPECT_EQ(depthAt(depth, {-3.0f, 2.0f}), 0.0);
 }
 
+TEST(TumRgbd, NamesTellTheCamera)
+{
+    TumCalibration calibration;
+    for (const char* name : {"rgbd_dataset_freiburg1_desk2", "tum_fr1_rpy"}) {
+        ASSERT_TRUE(tumCalibration(name, calibration));
+        EXPECT_EQ(calibration.cameraMatrix(0, 0), 517.3);
+        EXPECT_EQ(calibration.distCoeffs.size(), 5u);
+    }
+    ASSERT_TRUE(tumCalibration("rgbd_dataset_freiburg2_desk", calibration));
+    EXPECT_EQ(calibration.cameraMatrix(1, 2), 249.7);
+    ASSERT_TRUE(tumCalibration("rgbd_dataset_freiburg3_long_office_household", calibration));
+    EXPECT_TRUE(calibration.distCoeffs.empty());
+    EXPECT_FALSE(tumCalibration("kitchen", calibration));
+    EXPECT_FALSE(tumCalibration("rgbd_dataset_freiburg4_desk", calibration));
+}
+
 TEST(TumRgbd, TheCommittedCorrespondencesComeOutAgain)
 {
     const char* const variable = std::getenv("GMLPNP_DATA");

@@ -1,0 +1,33 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "common/images.hpp"
+
+#include <stdexcept>
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace samples {
+
+cv::Mat readImage(const std::string& path, int flags)
+{
+    cv::Mat image = cv::imread(path, flags);
+    if (image.empty())
+        throw std::runtime_error(path + ": cannot be read as an image");
+    return image;
+}
+
+void writeImage(const std::string& path, const cv::Mat& image)
+{
+    bool written = false;
+    try {
+        written = cv::imwrite(path, image);
+    } catch (const cv::Exception&) {
+        // No codec for the extension: reported like a folder that is not there.
+    }
+    if (!written)
+        throw std::runtime_error(path + ": cannot be written");
+}
+
+}  // namespace samples
