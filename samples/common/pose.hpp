@@ -16,10 +16,16 @@ struct Pose
     cv::Vec3d t;
 
     cv::Vec3d operator*(const cv::Vec3d& point) const { return R * point + t; }
+    Pose operator*(const Pose& other) const { return {R * other.R, *this * other.t}; }
 
     //! The camera's centre in the object frame.
     cv::Vec3d centre() const { return -(R.t() * t); }
 };
+
+inline Pose inverse(const Pose& pose)
+{
+    return {pose.R.t(), pose.centre()};
+}
 
 Pose poseFromRotationVector(const cv::Vec3d& rvec, const cv::Vec3d& tvec);
 

@@ -178,8 +178,7 @@ std::vector<FramePair> pairsOf(const TumSequence& sequence, double interval)
         FramePair pair;
         pair.first = i;
         pair.second = static_cast<size_t>(partner - sequence.frames.begin());
-        pair.secondFromFirst.R = second.R * first.R.t();
-        pair.secondFromFirst.t = second.t - pair.secondFromFirst.R * first.t;
+        pair.secondFromFirst = second * inverse(first);
         pairs.push_back(pair);
     }
     return pairs;
