@@ -75,6 +75,12 @@ void Canvas::fill(const cv::Rect2d& rectangle, const cv::Scalar& colour)
     cv::rectangle(target_, cv::Rect(cv::Point(a), cv::Point(b)), colour, cv::FILLED);
 }
 
+void Canvas::image(const cv::Rect2d& rectangle, const cv::Mat& picture)
+{
+    const cv::Rect area(cv::Point(kScale * rectangle.tl()), cv::Point(kScale * rectangle.br()));
+    cv::resize(picture, drawing_(area), area.size(), 0.0, 0.0, cv::INTER_LINEAR);
+}
+
 void Canvas::ellipse(cv::Point2d centre, const cv::Matx22d& covariance, const cv::Scalar& colour, double width)
 {
     cv::Mat values, vectors;

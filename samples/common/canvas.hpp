@@ -21,6 +21,10 @@ const cv::Scalar kWhite(255, 255, 255);
 //! For the curves of one graph.
 const std::array<cv::Scalar, 8> kPalette = {kGrey,           {0, 159, 230}, {115, 158, 0}, {233, 180, 86},
                                             {167, 121, 204}, kBlack,        kBlue,         kOrange};
+inline const cv::Scalar& ofCurve(size_t index)
+{
+    return kPalette[index % kPalette.size()];
+}
 }  // namespace colour
 
 enum class Align
@@ -42,6 +46,8 @@ public:
     void disc(cv::Point2d centre, double radius, const cv::Scalar& colour);
     void rectangle(const cv::Rect2d& rectangle, const cv::Scalar& colour, double width = 1.0);
     void fill(const cv::Rect2d& rectangle, const cv::Scalar& colour);
+    //! A picture of three channels, stretched into the rectangle.
+    void image(const cv::Rect2d& rectangle, const cv::Mat& picture);
     //! The points at squared Mahalanobis distance 1 from the centre.
     void ellipse(cv::Point2d centre, const cv::Matx22d& covariance, const cv::Scalar& colour, double width = 1.0);
     //! Text on a line whose middle height is at `anchor`.

@@ -49,6 +49,14 @@ std::vector<double> Arguments::numbers(const std::string& name) const
     return values;
 }
 
+cv::Matx33d cameraMatrixOf(const Arguments& arguments)
+{
+    const std::vector<double> k = arguments.numbers("camera");
+    if (k.size() != 4 || !(k[0] > 0.0) || !(k[1] > 0.0))
+        throw std::runtime_error("--camera: expected fx fy cx cy");
+    return {k[0], 0.0, k[2], 0.0, k[1], k[3], 0.0, 0.0, 1.0};
+}
+
 int runProgram(int argc, char** argv, const std::string& keys, const std::string& about, size_t fewestFiles,
                const std::function<int(const Arguments&)>& run)
 {

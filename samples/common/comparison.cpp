@@ -26,6 +26,14 @@ const Outcome* solvedOutcome(const Trial& trial, size_t method)
     return &trial.outcomes[method];
 }
 
+size_t solvedPairs(const Comparison& comparison, size_t method)
+{
+    size_t count = 0;
+    for (const Trial& trial : comparison.trials)
+        count += solvedOutcome(trial, method) != nullptr ? 1 : 0;
+    return count;
+}
+
 std::string titleOf(const Quantity& quantity)
 {
     return quantity.name + " [" + quantity.unit + "]";
@@ -60,7 +68,7 @@ void printErrorTable(std::ostream& out, const Comparison& comparison, size_t fir
     title.push_back("time [us]");
     Table table(title);
     for (size_t m = 0; m < comparison.methods.size(); ++m) {
-        const size_t solved = absoluteErrors(comparison, m, first).size();
+        const size_t solved = solvedPairs(comparison, m);
         std::vector<std::string> row = {comparison.methods[m].name, std::to_string(solved),
                                         std::to_string(comparison.trials.size() - solved)};
         for (size_t q = first; q < last && solved > 0; ++q) {
@@ -126,8 +134,10 @@ template <typename Print>
 void forEachTable(const Comparison& comparison, Print print)
 {
     const size_t count = comparison.quantities.size();
-    for (size_t first = 0; first < count; first += kQuantitiesPerTable)
+    size_t first = 0;
+    do
         print(first, std::min(count, first + kQuantitiesPerTable));
+    while ((first += kQuantitiesPerTable) < count);
 }
 
 }  // namespace

@@ -41,11 +41,6 @@ Curves curvesOf(const Comparison& comparison, size_t quantity)
     return curves;
 }
 
-const cv::Scalar& colourOf(size_t method)
-{
-    return colour::kPalette[method % colour::kPalette.size()];
-}
-
 double widthOf(const Method& method)
 {
     return isOwn(method) ? 2.4 : 1.2;
@@ -76,7 +71,7 @@ void drawPanel(Canvas& canvas, const Comparison& comparison, size_t quantity)
     canvas.clip(frame);
     for (size_t m = 0; m < comparison.methods.size(); ++m)
         drawCurve(canvas, map, curves.errors[m], static_cast<double>(comparison.trials.size()), comparison.methods[m],
-                  colourOf(m));
+                  colour::ofCurve(m));
     canvas.clip();
 }
 
@@ -95,7 +90,7 @@ cv::Mat drawComparison(const Comparison& comparison, const std::string& title)
     for (size_t m = 0; m < comparison.methods.size(); ++m) {
         const cv::Point2d at(kLeft + 200.0 * static_cast<double>(m % kLegendsPerRow),
                              bottom - 10.0 + kLegendRow * static_cast<double>(m / kLegendsPerRow));
-        canvas.line(at, at + cv::Point2d(24.0, 0.0), colourOf(m), widthOf(comparison.methods[m]));
+        canvas.line(at, at + cv::Point2d(24.0, 0.0), colour::ofCurve(m), widthOf(comparison.methods[m]));
         canvas.text(comparison.methods[m].name, at + cv::Point2d(32.0, 0.0), colour::kBlack);
     }
     return canvas.picture();

@@ -62,14 +62,6 @@ void lift(const Features& first, const Features& second, const cv::Mat& depth, C
 
 }  // namespace
 
-cv::Matx33d cameraMatrixOf(const Arguments& arguments)
-{
-    const std::vector<double> k = arguments.numbers("camera");
-    if (k.size() != 4 || !(k[0] > 0.0) || !(k[1] > 0.0))
-        throw std::runtime_error("--camera: expected fx fy cx cy");
-    return {k[0], 0.0, k[2], 0.0, k[1], k[3], 0.0, 0.0, 1.0};
-}
-
 CorrespondenceSet matchFrames(const TumSequence& sequence, const FramePair& pair, const MatchingOptions& options)
 {
     const RgbdFrame &first = sequence.frames[pair.first], &second = sequence.frames[pair.second];

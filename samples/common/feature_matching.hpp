@@ -5,7 +5,6 @@
 #ifndef GMLPNP_SAMPLES_FEATURE_MATCHING_HPP
 #define GMLPNP_SAMPLES_FEATURE_MATCHING_HPP
 
-#include "common/command_line.hpp"
 #include "common/correspondences.hpp"
 #include "common/tum_rgbd.hpp"
 
@@ -20,9 +19,6 @@ struct MatchingOptions
     double ransacPixels = 3.0;  //!< threshold of rejectOutliers(), px; 0: every match is kept
     int seed = 1;               //!< of the random numbers it draws
 };
-
-/** The camera matrix of an option --camera, "fx fy cx cy" in px. @throws std::runtime_error for anything else. */
-cv::Matx33d cameraMatrixOf(const Arguments& arguments);
 
 /** Correspondences between two frames: the first frame's ORB features lifted to its camera frame by the depth image,
 the second frame's pixels. Equal input gives equal output.

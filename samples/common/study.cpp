@@ -66,7 +66,7 @@ Trial runTrial(const Study& study, const StudyOptions& options, size_t pair, std
     for (const Method& method : options.methods) {
         Outcome outcome;
         outcome.estimate = estimatePose(set, method, options.repeat);
-        if (outcome.estimate.solved)
+        if (outcome.estimate.solved && study.errors)
             outcome.errors = study.errors(outcome.estimate.pose(), set.truth);
         trial.outcomes.push_back(outcome);
     }
@@ -99,23 +99,24 @@ std::string reportOf(const Study& study, const StudyOptions& options, const Comp
     out << study.title << ": " << pairs << " pairs, " << failed << " without correspondences; "
         << points / std::max<size_t>(1, pairs - failed) << " points in the others on average\n\n";
     printErrors(out, comparison, static_cast<uint64_t>(options.seed));
-    printDifferences(out, comparison, static_cast<uint64_t>(options.seed));
+    if (!study.quantities.empty())
+        printDifferences(out, comparison, static_cast<uint64_t>(options.seed));
     return out.str();
 }
 
 void reportResiduals(const Study& study, const StudyOptions& options, const std::vector<TrueResidual>& residuals)
 {
-    const LengthUnit unit = shownUnit("m");
     const Isotropy isotropy = testIsotropy(residuals, static_cast<uint64_t>(options.seed));
     std::ostringstream out;
-    printIsotropy(out, isotropy, study.frame, unit);
+    printIsotropy(out, isotropy, study.frame, study.unit);
     std::cout << out.str();
     if (options.output.empty())
         return;
     writeText(options.output + "/residuals.md", out.str());
     writeTrueResiduals(options.output + "/residuals.csv", residuals, study.pairs, "m");
-    writeImage(options.output + "/residuals.png",
-               drawIsotropy(residuals, isotropy, study.title + ": residuals under the true motion", study.frame, unit));
+    writeImage(
+        options.output + "/residuals.png",
+        drawIsotropy(residuals, isotropy, study.title + ": residuals under the true motion", study.frame, study.unit));
 }
 
 }  // namespace
@@ -164,7 +165,8 @@ int runStudy(const Study& study, const StudyOptions& options)
     if (!options.output.empty()) {
         writeText(options.output + "/table.md", report + failures);
         writeComparison(options.output + "/errors.csv", comparison);
-        writeImage(options.output + "/errors.png", drawComparison(comparison, study.title));
+        if (!study.quantities.empty())
+            writeImage(options.output + "/errors.png", drawComparison(comparison, study.title));
     }
     const bool any = std::any_of(comparison.trials.begin(), comparison.trials.end(),
                                  [](const Trial& trial) { return trial.failure.empty(); });

@@ -38,9 +38,10 @@ struct Study
     std::vector<std::string> pairs;  //!< a name each
     //! Makes the correspondences of a pair, with their truth. @throws TooFewMatches: the pair fails, the study goes on.
     std::function<CorrespondenceSet(size_t)> correspondences;
-    std::vector<Quantity> quantities;
+    std::vector<Quantity> quantities;  //!< none where no truth is known
     std::function<std::vector<double>(const Pose& estimate, const Pose& truth)> errors;
     ObjectFrame frame;
+    LengthUnit unit{"cm", 100.0};  //!< in which residuals of files in metres are shown
     //! Called for each pair that has correspondences, with the answers in the order of the methods; may be empty.
     std::function<void(size_t, const CorrespondenceSet&, const std::vector<Outcome>&)> visit;
 };
