@@ -12,9 +12,9 @@ namespace samples {
 /** Keeps the correspondences that one pose explains to `thresholdPixels`; 0 keeps all. Every program rejects wrong
 matches here and nowhere else.
 
-A pinhole's by cv::solvePnPRansac (EPnP), which draws from cv::theRNG(): it is seeded, so that the result of a set does
-not depend on the sets before. Through any other lens by this module's robust estimate, repeated without what it finds
-too far away: that stands up to tracks that drift, not to a majority of wrong matches. */
+A pinhole's by cv::solvePnPRansac (EPnP); cv::theRNG(), from which some versions draw, is seeded, so that the result of
+a set does not depend on the sets before. Through any other lens by this module's robust estimate, repeated without what
+it finds too far away: that stands up to tracks that drift, not to a majority of wrong matches. */
 void rejectOutliers(CorrespondenceSet& set, double thresholdPixels, int seed);
 
 }  // namespace samples
