@@ -46,8 +46,8 @@ double widthOf(const Method& method)
     return isOwn(method) ? 2.4 : 1.2;
 }
 
-void drawCurve(Canvas& canvas, const Map& map, const std::vector<double>& errors, double pairs, const Method& method,
-               const cv::Scalar& colour)
+void drawCurve(Canvas& canvas, const Map& map, const std::vector<double>& errors, double end, double pairs,
+               const Method& method, const cv::Scalar& colour)
 {
     cv::Point2d last(0.0, 0.0);
     for (size_t i = 0; i < errors.size(); ++i) {
@@ -56,6 +56,7 @@ void drawCurve(Canvas& canvas, const Map& map, const std::vector<double>& errors
         canvas.line(map(corner), map(top), colour, widthOf(method));
         last = top;
     }
+    canvas.line(map(last), map({std::max(last.x, end), last.y}), colour, widthOf(method));
 }
 
 void drawPanel(Canvas& canvas, const Comparison& comparison, size_t quantity)
@@ -70,8 +71,8 @@ void drawPanel(Canvas& canvas, const Comparison& comparison, size_t quantity)
     drawAxes(canvas, map, frame, q.name + " error [" + q.unit + "]", "pairs [%]");
     canvas.clip(frame);
     for (size_t m = 0; m < comparison.methods.size(); ++m)
-        drawCurve(canvas, map, curves.errors[m], static_cast<double>(comparison.trials.size()), comparison.methods[m],
-                  colour::ofCurve(m));
+        drawCurve(canvas, map, curves.errors[m], curves.end, static_cast<double>(comparison.trials.size()),
+                  comparison.methods[m], colour::ofCurve(m));
     canvas.clip();
 }
 

@@ -5,7 +5,6 @@
 // An orthophoto from an oriented aerial photograph and an elevation model: a reference picture for uav_localization.
 
 #include <iostream>
-#include <stdexcept>
 
 #include <opencv2/gmlpnp/camera.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -28,14 +27,11 @@ int run(const Arguments& arguments)
 {
     const std::string &photograph = arguments.files[0], &output = arguments.files[1];
     const std::string dem = required(arguments, "dem");
-    const auto poses = orientationsOf(arguments);
-    const auto pose = poses.find(pictureName(photograph));
-    if (pose == poses.end())
-        throw std::runtime_error(photograph + ": --poses does not know it");
+    const Pose cameraFromMap = poseOf(photograph, orientationsOf(arguments));
     const auto camera = cv::gmlpnp::CameraModel::pinhole(cameraMatrixOf(arguments), arguments.numbers("distortion"));
     const std::string system = mapSystem(arguments.get<std::string>("crs"), dem);
     const Terrain terrain(readElevation(dem, system));
-    const Raster raster = makeOrthophoto(readImage(photograph, cv::IMREAD_COLOR), *camera, pose->second, terrain,
+    const Raster raster = makeOrthophoto(readImage(photograph, cv::IMREAD_COLOR), *camera, cameraFromMap, terrain,
                                          arguments.get<double>("resolution"));
     writeOrthophoto(output, raster, system);
     std::cout << output << ": " << raster.mask.cols << " x " << raster.mask.rows << " pixels of "

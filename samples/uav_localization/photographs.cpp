@@ -23,6 +23,14 @@ std::map<std::string, Pose> orientationsOf(const Arguments& arguments)
     return path.empty() ? std::map<std::string, Pose>() : readOrientations(path);
 }
 
+const Pose& poseOf(const std::string& picture, const std::map<std::string, Pose>& poses)
+{
+    const auto pose = poses.find(pictureName(picture));
+    if (pose == poses.end())
+        throw std::runtime_error(picture + ": --poses does not know it");
+    return pose->second;
+}
+
 std::string pictureName(const std::string& path)
 {
     return std::filesystem::path(path).stem().string();

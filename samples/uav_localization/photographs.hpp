@@ -28,6 +28,9 @@ std::string required(const Arguments& arguments, const std::string& name);
 //! --poses, or none without it.
 std::map<std::string, Pose> orientationsOf(const Arguments& arguments);
 
+/** The pose of a picture. @throws std::runtime_error where the table does not have it. */
+const Pose& poseOf(const std::string& picture, const std::map<std::string, Pose>& poses);
+
 //! The name under which the table of poses has a picture: without folder and extension.
 std::string pictureName(const std::string& path);
 

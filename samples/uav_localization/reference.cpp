@@ -90,7 +90,7 @@ bool sees(const cv::gmlpnp::CameraModel& camera, const Pose& cameraFromMap, cons
 Reference orthophotoReference(const std::string& path, const std::string& system, const Terrain& terrain)
 {
     const Raster raster = readOrthophoto(path, system);
-    Reference reference{path, raster.values, raster.mask, true, {}};
+    Reference reference{path, raster.values, raster.mask, {}};
     reference.lift = [&terrain, geo = raster.geo](const cv::Point2d& pixel, cv::Vec3d& ground) {
         const cv::Point2d place = geo.map(pixel);
         ground = cv::Vec3d(place.x, place.y, terrain.elevation(place));
@@ -102,7 +102,7 @@ Reference orthophotoReference(const std::string& path, const std::string& system
 Reference orientedReference(const std::string& path, const cv::Ptr<cv::gmlpnp::CameraModel>& camera,
                             const Pose& cameraFromMap, const Terrain& terrain)
 {
-    Reference reference{path, readImage(path, cv::IMREAD_GRAYSCALE), cv::Mat(), false, {}};
+    Reference reference{path, readImage(path, cv::IMREAD_GRAYSCALE), cv::Mat(), {}};
     reference.lift = [&terrain, camera, cameraFromMap](const cv::Point2d& pixel, cv::Vec3d& ground) {
         cv::Vec3d ray;
         return camera->unprojectPoint(pixel, ray) &&

@@ -21,7 +21,6 @@ struct Reference
     std::string path;
     cv::Mat grey;
     cv::Mat mask;  //!< 255 where it shows something; empty: everywhere
-    bool isOrthophoto = false;
     //! Easting, northing and elevation of a pixel; false where the elevation model does not reach.
     std::function<bool(const cv::Point2d& pixel, cv::Vec3d& ground)> lift;
 };

@@ -28,10 +28,9 @@ using namespace samples;
 
 const char* const kKeys =
     "{help h usage ? |      | print this help}"
-    "{@queries       |      | pictures to be localised, one or more}"
-    "{reference      |      | georeferenced pictures, separated by commas: oriented photographs, which --poses knows, "
-    "or "
-    "orthophotos with a geotransform. Each query is matched to each, but not to itself}"
+    "{@queries       |      | pictures to be localised, one or more; each is matched to each reference of another name}"
+    "{reference      |      | oriented photographs, separated by commas; --poses knows them by their names}"
+    "{orthophoto     |      | orthophotos with a geotransform, separated by commas}"
     "{matches        |      | a file of matches from elsewhere (one query and reference), or a folder of files "
     "REFERENCE__QUERY.txt: rows u v u' v' (samples/common/pixel_matches.hpp); instead of SIFT}"
     "{features       | 8000 | SIFT features per picture}"
@@ -191,14 +190,12 @@ std::vector<Reference> referencesOf(const Arguments& arguments, const std::map<s
 {
     const auto camera = cv::gmlpnp::CameraModel::pinhole(options.cameraMatrix, options.distCoeffs);
     std::vector<Reference> references;
-    for (const std::string& path : splitAtCommas(required(arguments, "reference"))) {
-        const auto pose = poses.find(pictureName(path));
-        references.push_back(pose == poses.end() ? orthophotoReference(path, system, terrain)
-                                                 : orientedReference(path, camera, pose->second, terrain));
-        std::cout << path << ": " << (references.back().isOrthophoto ? "an orthophoto" : "an oriented photograph")
-                  << "\n";
-    }
-    std::cout << std::endl;
+    for (const std::string& path : splitAtCommas(arguments.get<std::string>("reference")))
+        references.push_back(orientedReference(path, camera, poseOf(path, poses), terrain));
+    for (const std::string& path : splitAtCommas(arguments.get<std::string>("orthophoto")))
+        references.push_back(orthophotoReference(path, system, terrain));
+    if (references.empty())
+        throw std::runtime_error("--reference or --orthophoto is needed");
     return references;
 }
 

@@ -10,7 +10,7 @@ set(methods --methods=SQPNP,GMLPNP_MARGINAL)
 set(out ${WORK_DIR}/out)
 
 # 5 m to a pixel, 4.7 km above ground, 24 m between elevations.
-expect(0 "an oriented photograph.*2 pairs, 0 without.*GMLPNP_MARGINAL \\| +2 \\| +0 \\| +0\\.[01][0-9]+ .*position \\[m\\].*GMLPNP_MARGINAL \\| +2 \\| +0 \\| +0\\.[01][0-9]+ \\| +0\\.[01][0-9]+ \\| +[0-9]\\.[0-9]+ .*The truth lies"
+expect(0 "2 pairs, 0 without.*GMLPNP_MARGINAL \\| +2 \\| +0 \\| +0\\.[01][0-9]+ .*position \\[m\\].*GMLPNP_MARGINAL \\| +2 \\| +0 \\| +0\\.[01][0-9]+ \\| +0\\.[01][0-9]+ \\| +[0-9]\\.[0-9]+ .*The truth lies"
        ${PROGRAM} ${ngi}/${first}.tif ${ngi}/${second}.tif --reference=${ngi}/${first}.tif,${ngi}/${second}.tif ${map}
        ${methods} --residuals --output=${out})
 foreach(name table.md errors.csv errors.png residuals.md residuals.png positions.csv map_${first}_by_${second}.png)
@@ -21,10 +21,10 @@ endforeach()
 
 # An orthophoto of the second photograph, then without any true pose: positions only.
 expect(0 "pixels of 6\\.[0-9]+ m" ${MAKE_ORTHOPHOTO} ${ngi}/${second}.tif ${WORK_DIR}/ortho.tif ${map})
-expect(0 "ortho.tif: an orthophoto.*1 pairs, 0 without.*position \\[m\\].*GMLPNP_MARGINAL \\| +1 \\| +0 \\| +0\\.00[0-9]+ \\| +0\\.00[0-9]+ \\| +[01]\\.[0-9]+ .*1 of 1"
-       ${PROGRAM} ${ngi}/${second}.tif --reference=${WORK_DIR}/ortho.tif ${map} ${methods})
+expect(0 "1 pairs, 0 without.*position \\[m\\].*GMLPNP_MARGINAL \\| +1 \\| +0 \\| +0\\.00[0-9]+ \\| +0\\.00[0-9]+ \\| +[01]\\.[0-9]+ .*1 of 1"
+       ${PROGRAM} ${ngi}/${second}.tif --orthophoto=${WORK_DIR}/ortho.tif ${map} ${methods})
 list(REMOVE_ITEM map --poses=${ngi}/ngi_xyz_opk.csv)
 expect(0 "GMLPNP_MARGINAL \\| +1 \\| +0 .*_by_ortho \\| +[0-9]+ \\| +-577[01][0-9]\\.[0-9]+ \\| +-37274[0-9][0-9]\\.[0-9]+ \\| +52[0-9][0-9]\\."
-       ${PROGRAM} ${ngi}/${second}.tif --reference=${WORK_DIR}/ortho.tif ${map} ${methods})
-expect(1 "--residuals: --poses does not know" ${PROGRAM} ${ngi}/${second}.tif --reference=${WORK_DIR}/ortho.tif ${map}
+       ${PROGRAM} ${ngi}/${second}.tif --orthophoto=${WORK_DIR}/ortho.tif ${map} ${methods})
+expect(1 "--residuals: --poses does not know" ${PROGRAM} ${ngi}/${second}.tif --orthophoto=${WORK_DIR}/ortho.tif ${map}
        --residuals)
