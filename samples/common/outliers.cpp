@@ -10,9 +10,10 @@ namespace samples {
 
 namespace {
 
-constexpr int kRansacIterations = 1000;
+constexpr int kRansacIterations = 10000;  // at most; far fewer where most matches are right
 constexpr double kRansacConfidence = 0.999;
 constexpr int kTrimmingRounds = 5;
+constexpr size_t kFewestAgreeing = 10;
 
 std::vector<int> consensus(const CorrespondenceSet& set, double thresholdPixels, int seed)
 {
@@ -72,7 +73,10 @@ void rejectOutliers(CorrespondenceSet& set, double thresholdPixels, int seed)
 {
     if (thresholdPixels <= 0.0 || set.objectPoints.size() < kMinCorrespondences)
         return;
-    keep(set.lens ? trimmed(set, thresholdPixels) : consensus(set, thresholdPixels, seed), set);
+    std::vector<int> agreeing = set.lens ? trimmed(set, thresholdPixels) : consensus(set, thresholdPixels, seed);
+    if (agreeing.size() < kFewestAgreeing)
+        agreeing.clear();
+    keep(agreeing, set);
 }
 
 }  // namespace samples

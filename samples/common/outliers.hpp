@@ -9,8 +9,9 @@
 
 namespace samples {
 
-/** Keeps the correspondences that one pose explains to `thresholdPixels`; 0 keeps all. Every program rejects wrong
-matches here and nowhere else.
+/** Keeps the correspondences that one pose explains to `thresholdPixels`, or none where they are fewer than ten: five
+always agree somewhere, they are a sample of RANSAC. 0 keeps all. Every program rejects wrong matches here and nowhere
+else.
 
 A pinhole's by cv::solvePnPRansac (EPnP); cv::theRNG(), from which some versions draw, is seeded, so that the result of
 a set does not depend on the sets before. Through any other lens by this module's robust estimate, repeated without what

@@ -140,6 +140,19 @@ TEST(Outliers, AreRejectedThroughPinholeAndLens)
     }
 }
 
+TEST(Outliers, AFewThatAgreeAreNoConsensus)
+{
+    CorrespondenceSet set;
+    set.cameraMatrix = cv::Matx33d(500, 0, 320, 0, 500, 240, 0, 0, 1);
+    cv::RNG random(3);
+    for (int i = 0; i < 40; ++i) {
+        set.objectPoints.emplace_back(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(2.0, 5.0));
+        set.imagePoints.emplace_back(random.uniform(0.0, 640.0), random.uniform(0.0, 480.0));
+    }
+    rejectOutliers(set, 8.0, 1);
+    EXPECT_TRUE(set.objectPoints.empty());
+}
+
 //! Errors of two methods in four pairs: in one there are no correspondences, in one the first method fails.
 Comparison smallComparison()
 {
