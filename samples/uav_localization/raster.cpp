@@ -185,10 +185,9 @@ std::string mapSystem(const std::string& wanted, const std::string& dem)
     }
     const cv::Size size(dataset->GetRasterXSize(), dataset->GetRasterYSize());
     const cv::Point2d middle = geoTransformOf(*dataset, dem).map({0.5 * size.width, 0.5 * size.height});
-    const int zone = static_cast<int>(std::floor((middle.x + 180.0) / 6.0)) + 1;
+    const int zone = std::clamp(static_cast<int>(std::floor((middle.x + 180.0) / 6.0)) + 1, 1, 60);
     OGRSpatialReference utm;
-    utm.SetWellKnownGeogCS("WGS84");
-    if (utm.SetUTM(zone, middle.y >= 0.0) != OGRERR_NONE)
+    if (utm.importFromEPSG((middle.y >= 0.0 ? 32600 : 32700) + zone) != OGRERR_NONE)
         fail(dem, "no UTM zone for its middle; give a system by --crs");
     return wktOf(utm);
 }

@@ -180,6 +180,7 @@ void printLocalizations(const std::vector<Localization>& all)
         known += l.hasTruth ? 1 : 0;
         inside += l.hasTruth && l.squaredDistance() < kReach3 ? 1 : 0;
     }
+    std::cout << "\n";
     table.printMarkdown(std::cout);
     if (known > 0)
         std::cout << "\nThe truth lies in the 95 % region of " << inside << " of " << known << " positions\n";
@@ -234,8 +235,8 @@ int run(const Arguments& arguments)
                        drawLocalization(found, set, terrain, studied.methods, outcomes));
     };
     const int code = runStudy(study, studied);
-    std::cout << "\n";
-    printLocalizations(all);
+    if (!all.empty())
+        printLocalizations(all);
     if (!studied.output.empty())
         writeLocalizations(studied.output + "/positions.csv", all);
     return code;

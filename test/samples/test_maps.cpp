@@ -152,6 +152,27 @@ TEST(Reference, OrthophotoAndPhotographAgree)
     EXPECT_LT(cv::norm(cv::Point2d(ground[0], ground[1]) - made.geo.map({300.0, 200.0})), 1e-6);
 }
 
+//! A ramp of elevations in degrees: the map becomes the UTM zone there, and places keep their elevations.
+TEST(Raster, InDegreesIsWarpedIntoUtm)
+{
+    Raster ramp;
+    ramp.geo.mapFromPixel = cv::Matx23d(1e-3, 0.0, 120.9, 0.0, -1e-3, 24.7);
+    ramp.values.create(80, 100, CV_8U);
+    for (int x = 0; x < 100; ++x)
+        ramp.values.col(x).setTo(2 * x);
+    ramp.mask = cv::Mat(80, 100, CV_8U, cv::Scalar(255));
+    const std::string path = ::testing::TempDir() + "gmlpnp_degrees.tif";
+    writeOrthophoto(path, ramp, "EPSG:4326");
+    const std::string system = mapSystem("", path);
+    EXPECT_NE(system.find("UTM zone 51N"), std::string::npos) << system;
+    const Terrain terrain(readElevation(path, system));
+    EXPECT_NEAR(terrain.resolution(), 106.0, 6.0);
+    // 24.66 N 120.93 E and 120.97 E by gdaltransform.
+    EXPECT_NEAR(terrain.elevation({290515.84, 2728880.22}), 60.0, 1.5);
+    EXPECT_NEAR(terrain.elevation({294564.96, 2728819.75}), 140.0, 1.5);
+    EXPECT_TRUE(std::isnan(terrain.elevation({120.95, 24.66})));
+}
+
 TEST(Raster, OfAnotherSystemIsWarpedIntoTheMaps)
 {
     const char* const variable = std::getenv("GMLPNP_DATA");
