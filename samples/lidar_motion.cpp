@@ -189,7 +189,7 @@ int run(const Arguments& arguments)
     const std::vector<Job> jobs = jobsOf(arguments, root, eye, options);
     Study study;
     study.title = "KITTI-360, camera " + eye.source.name + (eye.resampling ? " through " + eye.camera.name : "") +
-                  ", " + std::to_string(options.step) + " frames apart";
+                  ", " + std::to_string(options.step) + (options.step == 1 ? " frame apart" : " frames apart");
     for (const Job& job : jobs)
         study.pairs.push_back(job.drive + cv::format("_%010d", job.first));
     study.correspondences = [&](size_t i) { return correspondencesOf(root, jobs[i], eye, options); };

@@ -77,7 +77,7 @@ Trial runTrial(const Study& study, const StudyOptions& options, size_t pair, std
     return trial;
 }
 
-//! Pairs that failed, with their reasons counted.
+//! The pairs without correspondences, and why.
 std::string failuresOf(const Comparison& comparison)
 {
     std::ostringstream out;

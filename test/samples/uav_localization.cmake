@@ -6,7 +6,7 @@ set(ngi ${DATA}/aerial_ngi)
 set(first 3324c_2015_1004_05_0182_RGB)
 set(second 3324c_2015_1004_05_0184_RGB)
 set(map --dem=${ngi}/dem.tif --poses=${ngi}/ngi_xyz_opk.csv "--camera=833.333333 833.333333 319.5 575.5")
-set(methods --methods=SQPNP,GMLPNP_MARGINAL)
+set(methods --methods=SQPNP,GMLPNP_MARGINAL --features=4000)
 set(out ${WORK_DIR}/out)
 
 # 5 m to a pixel, 4.7 km above ground, 24 m between elevations.
