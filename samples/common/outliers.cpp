@@ -10,7 +10,7 @@ namespace samples {
 
 namespace {
 
-constexpr int kRansacIterations = 10000;  // at most; far fewer where most matches are right
+constexpr int kRansacIterations = 1000;
 constexpr double kRansacConfidence = 0.999;
 constexpr int kTrimmingRounds = 5;
 constexpr size_t kFewestAgreeing = 10;
