@@ -20,5 +20,5 @@ expect(0 "3 frames apart: 3 pairs, 0 without correspondences; [1-9][0-9][0-9] po
        --step=3 --every=4 --chain)
 
 # Through the fisheye, with points beyond 90 degrees: only this module solves there, and as well.
-expect(0 "camera 00 through 03.*SQPNP +\\| +0 \\| +3 \\|.*GMLPNP_MARGINAL \\| +3 \\| +0 \\| +0\\.[01]${number}[123]\\.[0-9]+ \\["
+expect(0 "camera 00 through 03.*SQPNP +\\| +0 \\| +3 \\|.*GMLPNP_MARGINAL \\| +3 \\| +0 \\| +0\\.[01]${number}[0-2]\\.[0-9]+ \\["
        ${PROGRAM} ${root} 2013_05_28_drive_0003_sync ${options} --step=1 --every=4 --through=03 --aside=60 --field=240)
