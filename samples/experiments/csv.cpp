@@ -1,0 +1,54 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "csv.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <opencv2/core.hpp>
+
+namespace experiments {
+
+Csv::Csv(const std::string& folder, const std::string& name, const std::vector<std::string>& columns)
+    : path_(folder + "/" + name + ".csv"), columns_(columns.size()), out_(path_)
+{
+    for (const std::string& column : columns)
+        *this << column;
+    endRow();
+}
+
+Csv& Csv::operator<<(const std::string& cell)
+{
+    out_ << (cells_++ > 0 ? "," : "") << cell;
+    return *this;
+}
+
+Csv& Csv::operator<<(double cell)
+{
+    return *this << (std::isnan(cell) ? std::string() : cv::format("%.9g", cell));
+}
+
+void Csv::endRow()
+{
+    if (cells_ != columns_)
+        throw std::logic_error(path_ + ": a row does not fit the header");
+    out_ << "\n";
+    cells_ = 0;
+    if (!out_.flush())
+        throw std::runtime_error(path_ + ": cannot be written");
+}
+
+std::vector<std::string> intervalColumns(const std::string& name)
+{
+    return {name, name + "_low", name + "_high"};
+}
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+}  // namespace experiments
