@@ -100,6 +100,7 @@ void runCells(const std::string& name, const std::vector<Cell>& cells, bool pers
         });
         writeCell(csv, cell, solvers, errors, reference);
     }
+    csv.save();
 }
 
 }  // namespace

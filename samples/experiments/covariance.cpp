@@ -89,6 +89,7 @@ void runRounds(const Settings& settings)
             csv.endRow();
         }
     }
+    csv.save();
 }
 
 void runCovariance(const Settings& settings)
@@ -116,6 +117,7 @@ void runCovariance(const Settings& settings)
                 csv.endRow();
             }
         }
+    csv.save();
 }
 
 namespace {
@@ -172,6 +174,8 @@ void runCase(const Settings& settings)
             writeVector(points, ESTIMATORS[e].name, residual(problem, i, *result));
         writeCovariance(covariances, ESTIMATORS[e].name, matrixOf(result->objectNoise));
     }
+    points.save();
+    covariances.save();
     progress.step();
 }
 

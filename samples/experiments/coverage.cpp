@@ -72,6 +72,7 @@ void runCoverage(const Settings& settings)
                 }
                 ++cell;
             }
+    csv.save();
 }
 
 }  // namespace experiments

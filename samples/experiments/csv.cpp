@@ -5,6 +5,7 @@
 #include "csv.hpp"
 
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 #include <opencv2/core.hpp>
@@ -12,7 +13,7 @@
 namespace experiments {
 
 Csv::Csv(const std::string& folder, const std::string& name, const std::vector<std::string>& columns)
-    : path_(folder + "/" + name + ".csv"), columns_(columns.size()), out_(path_)
+    : path_(folder + "/" + name + ".csv"), columns_(columns.size())
 {
     for (const std::string& column : columns)
         *this << column;
@@ -21,7 +22,7 @@ Csv::Csv(const std::string& folder, const std::string& name, const std::vector<s
 
 Csv& Csv::operator<<(const std::string& cell)
 {
-    out_ << (cells_++ > 0 ? "," : "") << cell;
+    text_ << (cells_++ > 0 ? "," : "") << cell;
     return *this;
 }
 
@@ -34,9 +35,15 @@ void Csv::endRow()
 {
     if (cells_ != columns_)
         throw std::logic_error(path_ + ": a row does not fit the header");
-    out_ << "\n";
+    text_ << "\n";
     cells_ = 0;
-    if (!out_.flush())
+}
+
+void Csv::save() const
+{
+    std::ofstream file(path_);
+    file << text_.str();
+    if (!file.flush())
         throw std::runtime_error(path_ + ": cannot be written");
 }
 

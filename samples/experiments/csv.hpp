@@ -5,7 +5,7 @@
 #ifndef GMLPNP_EXPERIMENTS_CSV_HPP
 #define GMLPNP_EXPERIMENTS_CSV_HPP
 
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,7 +13,7 @@
 
 namespace experiments {
 
-/** A CSV file with a header; the folder must exist. */
+/** A CSV file with a header. Nothing is written before save(): a run that was interrupted leaves no half of a file. */
 class Csv
 {
 public:
@@ -23,14 +23,16 @@ public:
     Csv& operator<<(double cell);  //!< not a number: an empty cell
     Csv& operator<<(int cell) { return *this << std::to_string(cell); }
     Csv& operator<<(const Interval& interval) { return *this << interval.value << interval.low << interval.high; }
-    /** @throws std::logic_error where the row does not fit the header, std::runtime_error where writing fails. */
+    /** @throws std::logic_error where the row does not fit the header. */
     void endRow();
+    /** @throws std::runtime_error where the file cannot be written. */
+    void save() const;
 
 private:
     const std::string path_;
     const size_t columns_;
     size_t cells_ = 0;
-    std::ofstream out_;
+    std::ostringstream text_;
 };
 
 /** `name`, `name_low`, `name_high`. */

@@ -56,8 +56,8 @@ void runGuess(const Settings& settings)
     const int trials = settings.trials;
     Progress progress("guess", static_cast<long>(std::size(sigmas) * std::size(offsets)) * trials);
     Csv csv(settings.folder, "guess",
-            std::vector<std::string>{"sigma_m", "offset_deg", "solver", "trials"} + intervalColumns("success") +
-                intervalColumns("rotation_deg") + intervalColumns("translation_percent"));
+            std::vector<std::string>{"sigma_m", "offset_deg", "solver", "trials", "solved"} +
+                intervalColumns("success") + intervalColumns("rotation_deg") + intervalColumns("translation_percent"));
     int cell = 0;
     for (const double sigma : sigmas)
         for (const double degrees : offsets) {
@@ -79,12 +79,13 @@ void runGuess(const Settings& settings)
             const Bootstrap bootstrap(trials);
             for (size_t s = 0; s < refiners.size(); ++s) {
                 const int hits = static_cast<int>(std::count(success[s].begin(), success[s].end(), 1));
-                csv << sigma << degrees << refiners[s].name << trials << share(hits, trials)
-                    << bootstrap.mean(rotation[s]) << bootstrap.mean(translation[s]);
+                csv << sigma << degrees << refiners[s].name << trials << countNumbers(rotation[s])
+                    << share(hits, trials) << bootstrap.mean(rotation[s]) << bootstrap.mean(translation[s]);
                 csv.endRow();
             }
             ++cell;
         }
+    csv.save();
 }
 
 }  // namespace experiments

@@ -4,8 +4,6 @@
 
 #include "solvers.hpp"
 
-#include <stdexcept>
-
 namespace experiments {
 
 using cv::gmlpnp::Params;
@@ -100,14 +98,12 @@ const std::vector<Solver>& allSolvers()
     return solvers;
 }
 
-std::vector<Solver> solversFor(bool perspective, const std::string& name)
+std::vector<Solver> solversFor(bool perspective)
 {
     std::vector<Solver> chosen;
     for (const Solver& solver : allSolvers())
-        if ((perspective || solver.anyLens) && (name.empty() || solver.name == name))
+        if (perspective || solver.anyLens)
             chosen.push_back(solver);
-    if (chosen.empty())
-        throw std::runtime_error("no solver '" + name + "' for this experiment");
     return chosen;
 }
 

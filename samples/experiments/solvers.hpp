@@ -21,9 +21,8 @@ struct Solver
 GMLPnP* are given the true noise. */
 const std::vector<Solver>& allSolvers();
 
-/** Those that can solve the experiment's problems; only the one called `name` unless that is empty.
-@throws std::runtime_error for a name that no solver has. */
-std::vector<Solver> solversFor(bool perspective, const std::string& name = std::string());
+/** Those that can solve the experiment's problems. */
+std::vector<Solver> solversFor(bool perspective);
 
 /** Options of the method with the true noise: GMLPnP* of the paper's Proposition 1. */
 cv::gmlpnp::Params trueNoise(const Problem& problem);

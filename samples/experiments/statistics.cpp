@@ -90,7 +90,7 @@ Interval share(int hits, int count)
     const double n = count, p = hits / n, z = 1.959964;
     const double middle = (p + z * z / (2 * n)) / (1 + z * z / n);
     const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
-    return {p, middle - half, middle + half};
+    return {p, std::min(p, middle - half), std::max(p, middle + half)};  // equal at 0 and 1, but for rounding
 }
 
 }  // namespace experiments

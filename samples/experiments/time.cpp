@@ -60,6 +60,7 @@ void runTime(const Settings& settings)
             csv.endRow();
         }
     }
+    csv.save();
 }
 
 }  // namespace experiments

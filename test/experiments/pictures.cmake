@@ -1,0 +1,20 @@
+# The pictures and tables of the results that program.cmake left.
+set(scripts ${SOURCE_DIR}/scripts/figures)
+set(results ${PROGRAM_DIR}/one)
+include(${CMAKE_CURRENT_LIST_DIR}/../samples/expect.cmake)
+
+expect(0 "coverage.svg" /usr/bin/python3 -B ${scripts}/draw.py ${results} ${WORK_DIR}/pictures)
+file(GLOB pictures ${WORK_DIR}/pictures/*.svg)
+list(LENGTH pictures count)
+if(NOT count EQUAL 13)
+  message(FATAL_ERROR "${count} pictures, not 13")
+endif()
+# Every table has its place in the document, and writing them again changes nothing.
+file(COPY ${SOURCE_DIR}/doc/experiments.md DESTINATION ${WORK_DIR})
+expect(0 "12 tables" /usr/bin/python3 -B ${scripts}/tables.py ${results} ${WORK_DIR}/experiments.md)
+file(READ ${WORK_DIR}/experiments.md once)
+expect(0 "12 tables" /usr/bin/python3 -B ${scripts}/tables.py ${results} ${WORK_DIR}/experiments.md)
+file(READ ${WORK_DIR}/experiments.md twice)
+if(NOT once STREQUAL twice)
+  message(FATAL_ERROR "the tables are not written to their own place")
+endif()
