@@ -35,12 +35,46 @@ Params paramsOf(const Estimator& estimator)
     return params;
 }
 
-// One value a trial for each estimator.
-using Values = std::vector<std::vector<double>>;
-
-Values values(int trials)
+// What is recorded of one estimate; not a number: no pose.
+struct Estimate
 {
-    return Values(COUNT, std::vector<double>(trials, std::numeric_limits<double>::quiet_NaN()));
+    double determinant, frobenius, smallestDeviation, rotation, translation;
+};
+
+using Field = double Estimate::*;
+
+Estimate estimate(const Problem& problem, const Params& params)
+{
+    constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+    const std::optional<Result> result = solved(problem, params);
+    if (!result)
+        return {NONE, NONE, NONE, NONE, NONE};
+    const Matrix3d Sigma = matrixOf(result->objectNoise);
+    const PoseErrors errors = errorsOf(poseOf(*result), problem.scene.truth);
+    const double smallest = cv::gmlpnp::detail::Eigen3d(Sigma, Eigen::EigenvaluesOnly).eigenvalues()(0);
+    return {Sigma.determinant(), (Sigma - problem.scene.Sigma).norm(), std::sqrt(std::max(0., smallest)),
+            errors.rotation, errors.translation};
+}
+
+std::vector<double> valuesOf(const std::vector<Estimate>& estimates, Field field)
+{
+    std::vector<double> values;
+    for (const Estimate& e : estimates)
+        values.push_back(e.*field);
+    return values;
+}
+
+std::vector<std::string> roundColumns()
+{
+    return std::vector<std::string>{"round", "estimator", "trials"} + intervalColumns("determinant") +
+           std::vector<std::string>{"determinant_median"} + intervalColumns("frobenius") +
+           std::vector<std::string>{"smallest_deviation_median"} + intervalColumns("rotation_deg") +
+           intervalColumns("translation_percent") + std::vector<std::string>{"true_determinant"};
+}
+
+std::string quoted(const std::string& name)
+{
+    return "\"" + name + "\"";
 }
 
 }  // namespace
@@ -51,14 +85,9 @@ void runRounds(const Settings& settings)
     constexpr double SIGMA = 0.5, PIXELS = 5;
     const int trials = settings.trials;
     Progress progress("rounds", static_cast<long>(ROUNDS) * trials);
-    Csv csv(settings.folder, "rounds",
-            std::vector<std::string>{"round", "estimator", "trials"} + intervalColumns("determinant") +
-                std::vector<std::string>{"determinant_median"} + intervalColumns("frobenius") +
-                std::vector<std::string>{"smallest_deviation_median"} + intervalColumns("rotation_deg") +
-                intervalColumns("translation_percent") + std::vector<std::string>{"true_determinant"});
+    Csv csv(settings.folder, "rounds", roundColumns());
     for (int round = 1; round <= ROUNDS; ++round) {
-        Values determinant = values(trials), frobenius = determinant, smallest = determinant, rotation = determinant,
-               translation = determinant;
+        std::vector<std::vector<Estimate>> estimates(COUNT, std::vector<Estimate>(trials));
         std::vector<double> truth(trials);
         forTrials(trials, settings.threads, progress, [&](int k) {
             cv::RNG rng = trialRng("rounds", 0, k);  // the same problems in every round
@@ -68,24 +97,16 @@ void runRounds(const Settings& settings)
                 Params params = paramsOf(ESTIMATORS[e]);
                 params.maxRounds = round;
                 params.tolerance = 0;
-                const std::optional<Result> result = solved(problem, params);
-                if (!result)
-                    continue;
-                const Matrix3d Sigma = matrixOf(result->objectNoise);
-                const PoseErrors errors = errorsOf(poseOf(*result), problem.scene.truth);
-                determinant[e][k] = Sigma.determinant();
-                frobenius[e][k] = (Sigma - problem.scene.Sigma).norm();
-                smallest[e][k] = std::sqrt(
-                    std::max(0., cv::gmlpnp::detail::Eigen3d(Sigma, Eigen::EigenvaluesOnly).eigenvalues()(0)));
-                rotation[e][k] = errors.rotation;
-                translation[e][k] = errors.translation;
+                estimates[e][k] = estimate(problem, params);
             }
         });
         const Bootstrap bootstrap(trials);
         for (size_t e = 0; e < COUNT; ++e) {
-            csv << round << "\"" + ESTIMATORS[e].name + "\"" << trials << bootstrap.mean(determinant[e])
-                << median(determinant[e]) << bootstrap.mean(frobenius[e]) << median(smallest[e])
-                << bootstrap.mean(rotation[e]) << bootstrap.mean(translation[e]) << bootstrap.mean(truth).value;
+            const auto values = [&](Field field) { return valuesOf(estimates[e], field); };
+            csv << round << quoted(ESTIMATORS[e].name) << trials << bootstrap.mean(values(&Estimate::determinant))
+                << median(values(&Estimate::determinant)) << bootstrap.mean(values(&Estimate::frobenius))
+                << median(values(&Estimate::smallestDeviation)) << bootstrap.mean(values(&Estimate::rotation))
+                << bootstrap.mean(values(&Estimate::translation)) << bootstrap.mean(truth).value;
             csv.endRow();
         }
     }
@@ -102,18 +123,16 @@ void runCovariance(const Settings& settings)
             std::vector<std::string>{"sigma_m", "x", "estimator", "trials"} + intervalColumns("relative_frobenius"));
     for (const double sigma : sigmas)
         for (const int n : sizes) {
-            Values error = values(trials);
+            std::vector<std::vector<double>> error(COUNT, std::vector<double>(trials));
             forTrials(trials, settings.threads, progress, [&](int k) {
                 cv::RNG rng = trialRng("covariance", cvRound(1e5 * sigma) + n, k);
                 const Problem problem = paperProblem(n, sigma, 10 * sigma)(rng);
                 for (size_t e = 0; e < COUNT; ++e)
-                    if (const std::optional<Result> result = solved(problem, paramsOf(ESTIMATORS[e])))
-                        error[e][k] =
-                            (matrixOf(result->objectNoise) - problem.scene.Sigma).norm() / problem.scene.Sigma.norm();
+                    error[e][k] = estimate(problem, paramsOf(ESTIMATORS[e])).frobenius / problem.scene.Sigma.norm();
             });
             const Bootstrap bootstrap(trials);
             for (size_t e = 0; e < COUNT; ++e) {
-                csv << sigma << n << "\"" + ESTIMATORS[e].name + "\"" << trials << bootstrap.mean(error[e]);
+                csv << sigma << n << quoted(ESTIMATORS[e].name) << trials << bootstrap.mean(error[e]);
                 csv.endRow();
             }
         }

@@ -146,7 +146,7 @@ std::vector<Pose> posesByDistances(const ControlPoints& control, const Eigen::Ma
 Pose poseByProcrustes(const ControlPoints& control, const Eigen::MatrixXd& kernel, const Data& data)
 {
     constexpr int TURNS = 1000;
-    constexpr double NEGLIGIBLE = 1e-12;
+    constexpr double NEGLIGIBLE = 1e-9;
     Eigen::VectorXd x = kernel.col(0);
     x *= meanDepth(control, x) < 0 ? -1 : 1;
     const Matrix3Xd spread = control.object.colwise() - control.object.rowwise().mean();
