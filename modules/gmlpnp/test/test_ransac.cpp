@@ -1,0 +1,251 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "test_precomp.hpp"
+
+#include "../src/ransac_sampler.hpp"
+#include "../src/ransac_score.hpp"
+#include "scenes.hpp"
+
+namespace opencv_test {
+namespace {
+
+using namespace cv::gmlpnp::detail;
+
+// --- Samples ---
+
+TEST(Gmlpnp_Ransac, samplesAreDistinctAndEquallyLikely)
+{
+    constexpr int N = 7, DRAWS = 70000;
+    Sampler sampler(N, 1, false);
+    int count[N] = {};
+    for (int k = 0; k < DRAWS; ++k) {
+        const Sample s = sampler.next();
+        ASSERT_TRUE(s[0] != s[1] && s[1] != s[2] && s[2] != s[0]);
+        for (const int i : s) {
+            ASSERT_TRUE(i >= 0 && i < N);
+            ++count[i];
+        }
+    }
+    const double expected = 3. * DRAWS / N, deviation = std::sqrt(DRAWS * (3. / N) * (1 - 3. / N));
+    for (const int c : count)
+        EXPECT_NEAR(expected, c, 4 * deviation);
+}
+
+TEST(Gmlpnp_Ransac, samplesDependOnTheSeedAlone)
+{
+    // The numbers are part of the promise: the same on every platform.
+    Sampler sampler(1000, 42, false), again(1000, 42, false), other(1000, 43, false);
+    const Sample first = sampler.next();
+    EXPECT_EQ((Sample{140, 48, 29}), first);
+    EXPECT_EQ(first, again.next());
+    EXPECT_NE(first, other.next());
+}
+
+TEST(Gmlpnp_Ransac, orderedSamplesStartWithTheBest)
+{
+    constexpr int N = 100;
+    Sampler sampler(N, 1, true);
+    Sample s = sampler.next();
+    std::sort(s.begin(), s.end());
+    EXPECT_EQ((Sample{0, 1, 2}), s);
+    for (int pool = 3; pool < N;) {
+        s = sampler.next();
+        ASSERT_GE(sampler.pool(), pool);  // Eq. (3) of the paper: grows, and never past all points
+        ASSERT_LE(sampler.pool(), N);
+        pool = sampler.pool();
+        const int last = *std::max_element(s.begin(), s.end());
+        ASSERT_TRUE(pool == N || last == pool - 1) << "the newest of a pool of " << pool << " is in each sample";
+    }
+}
+
+// --- Residuals ---
+
+TEST(Gmlpnp_Ransac, metricTurnsRaysIntoThresholds)
+{
+    cv::RNG rng = testRng();
+    const auto camera = cv::gmlpnp::CameraModel::fisheye(cv::Matx33d(300, 0, 320, 0, 310, 240, 0, 0, 1),
+                                                         cv::Matx14d(0.02, -0.003, 0.001, 0));
+    for (int trial = 0; trial < 100; ++trial) {
+        const cv::Point2d pixel(rng.uniform(0., 640.), rng.uniform(0., 480.));
+        cv::Vec3d m;
+        cv::Matx32d J;
+        ASSERT_TRUE(camera->unprojectPoint(pixel, m, &J));
+        Eigen::Matrix<double, 3, 2> jacobian;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 2; ++k)
+                jacobian(i, k) = J(i, k);
+        constexpr double THRESHOLD = 4;
+        const Metric B = pixelMetric(jacobian, THRESHOLD);
+        EXPECT_TRUE(matrixNear(THRESHOLD * B * jacobian, Eigen::Matrix2d::Identity(), 1e-9));
+        EXPECT_LT((B * Vector3d(m[0], m[1], m[2])).norm(), 1e-9);
+        // A pixel near by is as far in the metric as in the picture.
+        const cv::Point2d near(pixel.x + rng.uniform(-2., 2.), pixel.y + rng.uniform(-2., 2.));
+        ASSERT_TRUE(camera->unprojectPoint(near, m));
+        const Vector3d X(m[0], m[1], m[2]), m0 = jacobian.col(0).cross(jacobian.col(1)).normalized();
+        const double e = (B * X).norm() / std::abs(m0.dot(X));
+        EXPECT_NEAR(cv::norm(near - pixel) / THRESHOLD, e, 0.01);
+    }
+}
+
+TEST(Gmlpnp_Ransac, metricOfAnAngleIsExact)
+{
+    cv::RNG rng = testRng();
+    for (int trial = 0; trial < 100; ++trial) {
+        const Vector3d m = gaussian3(rng).normalized(), X = m + 0.5 * gaussian3(rng);
+        const double s = m.dot(X);
+        if (s <= 0)
+            continue;
+        const double angle = std::atan2(m.cross(X).norm(), s);
+        const Metric B = angularMetric(m, angle);
+        EXPECT_NEAR(1, (B * X).norm() / s, 1e-9);
+    }
+}
+
+// A scene with wrong correspondences, as the search sees it.
+struct Problem
+{
+    Problem(cv::RNG& rng, int n, double outliers) : Problem(rng, paperScene(rng, n, 0.01, 1), outliers) {}
+
+    Problem(cv::RNG& rng, Scene given, double outliers)
+        : scene(std::move(given)), data(withOutliers(rng, scene, outliers), scene.rays)
+    {
+        for (int i = 0; i < data.size(); ++i)
+            metrics.push_back(angularMetric(data.rayAt(i), 0.01));
+    }
+
+    static cv::Mat_<double> withOutliers(cv::RNG& rng, Scene& scene, double share)
+    {
+        const int n = scene.objectPoints.rows;
+        for (int i = n - static_cast<int>(share * n); i < n; ++i)
+            for (int k = 0; k < 3; ++k)
+                scene.objectPoints(i, k) = rng.uniform(-3., 3.);
+        return scene.objectPoints;
+    }
+
+    // By hand, as the definition says it.
+    Score score(const Pose& pose) const
+    {
+        Score sum{0, 0};
+        for (int i = 0; i < data.size(); ++i) {
+            const Vector3d X = pose * data.pointAt(i);
+            const double s = data.rayAt(i).dot(X), e2 = (metrics[i] * X).squaredNorm() / (s * s);
+            const bool inlier = s > 0 && e2 < 1;
+            sum.cost += inlier ? e2 : 1;
+            sum.inliers += inlier;
+        }
+        return sum;
+    }
+
+    Scene scene;
+    Correspondences data;
+    std::vector<Metric> metrics;
+};
+
+Pose near(cv::RNG& rng, const Pose& pose, double size)
+{
+    Vector6d xi;
+    xi << size * gaussian3(rng), size * gaussian3(rng);
+    return perturbed(pose, xi);
+}
+
+TEST(Gmlpnp_Ransac, scoreIsItsDefinition)
+{
+    cv::RNG rng = testRng();
+    for (const int n : {4, 7, 8, 9, 63, 64, 65, 500}) {
+        const Problem problem(rng, n, 0.3);
+        const ScoredPoints points(problem.data, problem.metrics, rng);
+        for (const double size : {1e-3, 1e-2, 1.}) {
+            const Pose pose = near(rng, problem.data.fromObject(problem.scene.truth), size);
+            const Score expected = problem.score(pose), found = points.score(pose);
+            EXPECT_NEAR(expected.cost, found.cost, 1e-9 * n) << n << " points";
+            EXPECT_EQ(expected.inliers, found.inliers) << n << " points";
+            const std::vector<bool> inliers = points.inliers(pose);
+            EXPECT_EQ(expected.inliers, std::count(inliers.begin(), inliers.end(), true));
+        }
+    }
+}
+
+TEST(Gmlpnp_Ransac, givingUpEarlySparesTheBetter)
+{
+    cv::RNG rng = testRng();
+    int better = 0, lost = 0, worse = 0, spared = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Problem problem(rng, 400, rng.uniform(0., 0.9));
+        const ScoredPoints points(problem.data, problem.metrics, rng);
+        const Pose truth = problem.data.fromObject(problem.scene.truth);
+        const Score a = points.score(near(rng, truth, 3e-3));
+        const Pose b = trial % 2 ? near(rng, truth, 3e-3) : Pose{randomRotation(rng), truth.t};
+        const Score full = points.score(b), early = points.scoreAgainst(b, a.cost);
+        if (std::isfinite(early.cost)) {
+            EXPECT_EQ(full.cost, early.cost);
+        }
+        if (full.cost < a.cost) {
+            ++better;
+            lost += !std::isfinite(early.cost);
+        } else if (trial % 2 == 0) {
+            ++worse;
+            spared += std::isfinite(early.cost);
+        }
+    }
+    ASSERT_GT(better, 300);
+    EXPECT_LE(lost, better / 100);
+    EXPECT_LE(spared, worse / 10);
+}
+
+TEST(Gmlpnp_Ransac, robustStepsFindTheTruth)
+{
+    cv::RNG rng = testRng();
+    for (int trial = 0; trial < 50; ++trial) {
+        const Problem problem(rng, exactScene(rng, surroundingPoints(rng, 60)), 0.4);
+        const ScoredPoints points(problem.data, problem.metrics, rng);
+        const Pose truth = problem.data.fromObject(problem.scene.truth);
+        Pose pose = near(rng, truth, 1e-3);
+        for (int round = 0; round < 10; ++round)
+            ASSERT_TRUE(points.step(pose, 1.5, points.size()));
+        // Wrong correspondences that lie within the threshold by chance pull a little.
+        EXPECT_TRUE(poseNear(pose, truth, 1e-3, 1e-3)) << "trial " << trial;
+    }
+}
+
+// --- Search ---
+
+TEST(Gmlpnp_Ransac, orderSavesSamples)
+{
+    cv::RNG rng = testRng();
+    int uniform = 0, ordered = 0;
+    for (int trial = 0; trial < 20; ++trial) {
+        const Problem problem(rng, 300, 0.85);  // the wrong ones come last
+        RansacOptions options{0.99, 10000, static_cast<uint64>(trial), false, 1e-3, std::nullopt};
+        const auto a = findConsensus(problem.data, problem.metrics, options);
+        options.ordered = true;
+        const auto b = findConsensus(problem.data, problem.metrics, options);
+        ASSERT_TRUE(a && b);
+        EXPECT_TRUE(poseNear(b->pose, problem.scene.truth, 0.02, 0.1));
+        uniform += a->iterations;
+        ordered += b->iterations;
+    }
+    EXPECT_LT(10 * ordered, uniform);
+}
+
+TEST(Gmlpnp_Ransac, confidenceIsKept)
+{
+    // Of 80 % wrong correspondences a sample of three is clean with .008; 99 % of the searches must end right.
+    cv::RNG rng = testRng();
+    int right = 0, iterations = 0;
+    constexpr int TRIALS = 300;
+    for (int trial = 0; trial < TRIALS; ++trial) {
+        const Problem problem(rng, 200, 0.8);
+        const auto found =
+            findConsensus(problem.data, problem.metrics, {0.99, 10000, static_cast<uint64>(trial), false, 1e-3, {}});
+        ASSERT_TRUE(found);
+        right += bool(poseNear(found->pose, problem.scene.truth, 0.05, 0.3));
+        iterations += found->iterations;
+    }
+    EXPECT_GE(right, 290);  // 297 expected, with a standard deviation of 1.7
+    EXPECT_LT(iterations, TRIALS * 700);
+}
+
+}  // namespace
+}  // namespace opencv_test
