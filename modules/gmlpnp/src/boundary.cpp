@@ -146,22 +146,22 @@ void checkSameCount(const Mat& points, const Mat& images, const char* name)
                  format("objectPoints and %s differ in number: %d and %d", name, points.rows, images.rows));
 }
 
-Mat_<double> chosenRows(const Mat_<double>& all, const std::vector<int>& rows)
-{
-    if (all.empty() || static_cast<int>(rows.size()) == all.rows)
-        return all;
-    Mat_<double> chosen(static_cast<int>(rows.size()), all.cols);
-    for (int k = 0; k < chosen.rows; ++k)
-        all.row(rows[k]).copyTo(chosen.row(k));
-    return chosen;
-}
-
 bool finiteGuess(const Params& params)
 {
     return !params.useExtrinsicGuess || (toEigen(params.rvec).allFinite() && toEigen(params.tvec).allFinite());
 }
 
 }  // namespace
+
+Mat_<double> chosenRows(const Mat_<double>& all, const std::vector<int>& rows)
+{
+    if (all.empty() || static_cast<int>(rows.size()) == all.rows)
+        return all;
+    Mat_<double> chosen(static_cast<int>(rows.size()), all.cols);
+    for (int k = 0; k < chosen.rows; ++k)
+        std::copy(all[rows[k]], all[rows[k]] + all.cols, chosen[k]);
+    return chosen;
+}
 
 Options checked(const Params& params)
 {
@@ -208,7 +208,8 @@ Input inputRays(InputArray objectPoints, InputArray rays, const Params& params)
     return input;
 }
 
-Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera, const Params& params)
+Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera, const Params& params,
+                  bool wantRayByPixel)
 {
     if (!camera)
         CV_Error(Error::StsBadArg, "camera is null");
@@ -218,7 +219,7 @@ Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<Cam
     const bool weighed = !params.pixelCovariances.empty();
     Mat rays, jacobian;
     Mat_<uchar> valid;
-    camera->unproject(pixels, rays, valid, weighed ? OutputArray(jacobian) : OutputArray(noArray()));
+    camera->unproject(pixels, rays, valid, weighed || wantRayByPixel ? OutputArray(jacobian) : OutputArray(noArray()));
 
     Input input;
     input.total = points.rows;
@@ -228,6 +229,8 @@ Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<Cam
     input.observations = {chosenRows(points, input.used), chosenRows(rays, input.used),
                           chosenRows(knownObject(params, input.total), input.used),
                           chosenRows(weighed ? knownRays(params, jacobian, valid) : Mat_<double>(), input.used)};
+    if (wantRayByPixel)
+        input.rayByPixel = chosenRows(jacobian, input.used);
     // A pixel that is not a number is bad data, not a pixel without a ray; so is a point, also without a ray.
     const auto allFinite = [](const Mat& m) { return checkRange(m, true, nullptr, -DBL_MAX, DBL_MAX); };
     input.finite = finiteGuess(params) && allFinite(pixels) && allFinite(points);
@@ -288,6 +291,27 @@ Result toResult(const Solution& solution, Status status, const Input& input)
         weights(input.used[k]) = solution.weights[k];
     out.weights = weights;
     return out;
+}
+
+Params paramsOf(int flags, bool useExtrinsicGuess, InputArray rvec, InputArray tvec)
+{
+    if (flags != SOLVEPNP_GMLPNP && flags != SOLVEPNP_GMLPNP_MARGINAL)
+        CV_Error(Error::StsBadArg,
+                 format("flags: %d is neither of cv::SolvePnPMethod nor of cv::gmlpnp::Method", flags));
+    Params params;
+    params.method = flags;
+    params.useExtrinsicGuess = useExtrinsicGuess;
+    if (useExtrinsicGuess) {
+        params.rvec = guessFrom(rvec, "rvec");
+        params.tvec = guessFrom(tvec, "tvec");
+    }
+    return params;
+}
+
+void requireEnough(const Input& input, int fewest)
+{
+    if (input.total < fewest)
+        CV_Error(Error::StsAssert, format("objectPoints: fewer than %d points", fewest));
 }
 
 Vec3d guessFrom(InputArray vec, const char* name)

@@ -20,19 +20,29 @@ Options checked(const Params& params);
 struct Input
 {
     Observations observations;
-    std::vector<int> used;  //!< their rows in the caller's arrays
-    int total = 0;          //!< rows of the caller's arrays
-    bool finite = true;     //!< pixels and guess; the solver looks at points and rays
+    std::vector<int> used;    //!< their rows in the caller's arrays
+    int total = 0;            //!< rows of the caller's arrays
+    bool finite = true;       //!< pixels and guess; the solver looks at points and rays
+    Mat_<double> rayByPixel;  //!< N x 6, where asked for: derivatives of the rays, row-major 3x2
 };
 
 Input inputRays(InputArray objectPoints, InputArray rays, const Params& params);
-Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
-                  const Params& params);
+Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera, const Params& params,
+                  bool wantRayByPixel = false);
+
+/** The chosen rows; all of them without a copy. */
+Mat_<double> chosenRows(const Mat_<double>& all, const std::vector<int>& rows);
 
 /** Runs the solver; on a failure only `status` is written. */
 bool run(const Input& input, const Options& options, Status& status, std::vector<Solution>& solutions);
 
 Result toResult(const Solution& solution, Status status, const Input& input);
+
+/** Params of a call with one of our flags; StsBadArg for every other flag. */
+Params paramsOf(int flags, bool useExtrinsicGuess, InputArray rvec, InputArray tvec);
+
+/** OpenCV's names refuse what is too few; ours return a status. StsAssert below 4 points, 3 with a guess. */
+void requireEnough(const Input& input, int fewest);
 
 /** 3 floating-point numbers of any shape; anything else: StsAssert, named. */
 Vec3d guessFrom(InputArray vec, const char* name);

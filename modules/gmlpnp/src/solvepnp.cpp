@@ -78,30 +78,11 @@ int solveAll(InputArray objectPoints, InputArray imagePoints, InputArray cameraM
 
 namespace {
 
-// Params of a call with one of our flags; StsBadArg for every other flag.
-Params paramsOf(int flags, bool useExtrinsicGuess, InputArray rvec, InputArray tvec)
-{
-    if (flags != SOLVEPNP_GMLPNP && flags != SOLVEPNP_GMLPNP_MARGINAL)
-        CV_Error(Error::StsBadArg,
-                 format("flags: %d is neither of cv::SolvePnPMethod nor of cv::gmlpnp::Method", flags));
-    Params params;
-    params.method = flags;
-    params.useExtrinsicGuess = useExtrinsicGuess;
-    if (useExtrinsicGuess) {
-        params.rvec = guessFrom(rvec, "rvec");
-        params.tvec = guessFrom(tvec, "tvec");
-    }
-    return params;
-}
-
-// OpenCV's names refuse what is too few; ours return a status.
 Input enoughPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
                    const Params& params)
 {
-    const Input input = inputPixels(objectPoints, imagePoints, camera, params);
-    const int fewest = params.useExtrinsicGuess ? 3 : 4;
-    if (input.total < fewest)
-        CV_Error(Error::StsAssert, format("objectPoints: fewer than %d points", fewest));
+    Input input = inputPixels(objectPoints, imagePoints, camera, params);
+    requireEnough(input, params.useExtrinsicGuess ? 3 : 4);
     return input;
 }
 
