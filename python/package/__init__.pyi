@@ -21,6 +21,14 @@ SOLVEPNP_IPPE: int
 SOLVEPNP_IPPE_SQUARE: int
 SOLVEPNP_SQPNP: int
 
+USAC_DEFAULT: int
+USAC_PARALLEL: int
+USAC_FM_8PTS: int
+USAC_FAST: int
+USAC_ACCURATE: int
+USAC_PROSAC: int
+USAC_MAGSAC: int
+
 STATUS_CONVERGED: int
 STATUS_MAX_ROUNDS: int
 STATUS_TOO_FEW_POINTS: int
@@ -36,6 +44,7 @@ NOISE_BOTH: int
 
 _Float64 = NDArray[np.float64]
 _Float = Union[NDArray[np.float64], NDArray[np.float32]]
+_Rows = NDArray[np.int32]
 
 class error(RuntimeError):
     code: int
@@ -73,6 +82,22 @@ class Params:
     bearingNoise: Optional[_Float64]
     objectCovariances: Optional[_Float64]
     pixelCovariances: Optional[_Float64]
+
+class RansacParams:
+    def __init__(
+        self,
+        *,
+        threshold: float = ...,
+        confidence: float = ...,
+        maxIterations: int = ...,
+        seed: int = ...,
+        ordered: bool = ...,
+    ) -> None: ...
+    threshold: float
+    confidence: float
+    maxIterations: int
+    seed: int
+    ordered: bool
 
 class Result:
     def __init__(self) -> None: ...
@@ -146,6 +171,29 @@ def solveAll(
 def solveRays(
     objectPoints: ArrayLike, rays: ArrayLike, params: Optional[Params] = ...
 ) -> Tuple[bool, Result]: ...
+@overload
+def solveRansac(
+    objectPoints: ArrayLike,
+    imagePoints: ArrayLike,
+    camera: CameraModel,
+    ransac: Optional[RansacParams] = ...,
+    params: Optional[Params] = ...,
+) -> Tuple[bool, Result, Optional[_Rows]]: ...
+@overload
+def solveRansac(
+    objectPoints: ArrayLike,
+    imagePoints: ArrayLike,
+    cameraMatrix: ArrayLike,
+    distCoeffs: Optional[ArrayLike],
+    ransac: Optional[RansacParams] = ...,
+    params: Optional[Params] = ...,
+) -> Tuple[bool, Result, Optional[_Rows]]: ...
+def solveRaysRansac(
+    objectPoints: ArrayLike,
+    rays: ArrayLike,
+    ransac: Optional[RansacParams] = ...,
+    params: Optional[Params] = ...,
+) -> Tuple[bool, Result, Optional[_Rows]]: ...
 def solvePnP(
     objectPoints: ArrayLike,
     imagePoints: ArrayLike,
@@ -156,6 +204,32 @@ def solvePnP(
     useExtrinsicGuess: bool = ...,
     flags: int = ...,
 ) -> Tuple[bool, Optional[_Float], Optional[_Float]]: ...
+@overload
+def solvePnPRansac(
+    objectPoints: ArrayLike,
+    imagePoints: ArrayLike,
+    cameraMatrix: ArrayLike,
+    distCoeffs: Optional[ArrayLike],
+    rvec: Optional[ArrayLike] = ...,
+    tvec: Optional[ArrayLike] = ...,
+    useExtrinsicGuess: bool = ...,
+    iterationsCount: int = ...,
+    reprojectionError: float = ...,
+    confidence: float = ...,
+    inliers: object = ...,
+    flags: int = ...,
+) -> Tuple[bool, Optional[_Float], Optional[_Float], Optional[_Rows]]: ...
+@overload
+def solvePnPRansac(
+    objectPoints: ArrayLike,
+    imagePoints: ArrayLike,
+    cameraMatrix: ArrayLike,
+    distCoeffs: Optional[ArrayLike],
+    rvec: Optional[ArrayLike] = ...,
+    tvec: Optional[ArrayLike] = ...,
+    inliers: object = ...,
+    params: object = ...,
+) -> Tuple[bool, ArrayLike, Optional[_Float], Optional[_Float], Optional[_Rows]]: ...
 def solvePnPGeneric(
     objectPoints: ArrayLike,
     imagePoints: ArrayLike,

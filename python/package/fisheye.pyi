@@ -18,3 +18,18 @@ def solvePnP(
     flags: int = ...,
     criteria: Optional[Tuple[int, int, float]] = ...,
 ) -> Tuple[bool, Optional[_Float], Optional[_Float]]: ...
+def solvePnPRansac(
+    objectPoints: ArrayLike,
+    imagePoints: ArrayLike,
+    cameraMatrix: ArrayLike,
+    distCoeffs: Optional[ArrayLike],
+    rvec: Optional[ArrayLike] = ...,
+    tvec: Optional[ArrayLike] = ...,
+    useExtrinsicGuess: bool = ...,
+    iterationsCount: int = ...,
+    reprojectionError: float = ...,
+    confidence: float = ...,
+    inliers: object = ...,
+    flags: int = ...,
+    criteria: Optional[Tuple[int, int, float]] = ...,
+) -> Tuple[bool, Optional[_Float], Optional[_Float], Optional[NDArray[np.int32]]]: ...

@@ -46,6 +46,16 @@ const std::vector<Constant>& methods()
     return constants;
 }
 
+const std::vector<Constant>& searches()
+{
+    static const std::vector<Constant> constants = {
+        GMLPNP_CONSTANT(USAC_DEFAULT), GMLPNP_CONSTANT(USAC_PARALLEL), GMLPNP_CONSTANT(USAC_FM_8PTS),
+        GMLPNP_CONSTANT(USAC_FAST),    GMLPNP_CONSTANT(USAC_ACCURATE), GMLPNP_CONSTANT(USAC_PROSAC),
+        GMLPNP_CONSTANT(USAC_MAGSAC),
+    };
+    return constants;
+}
+
 const std::vector<Constant>& statuses()
 {
     static const std::vector<Constant> constants = {
@@ -88,7 +98,7 @@ std::string methodName(int flag)
 
 void addConstants(py::module_& m)
 {
-    for (const auto& constants : {methods(), statuses(), noiseModels()})
+    for (const auto& constants : {methods(), searches(), statuses(), noiseModels()})
         for (const Constant& constant : constants)
             m.attr(constant.name) = constant.value;
 }

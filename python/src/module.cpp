@@ -20,7 +20,9 @@ PYBIND11_MODULE(_gmlpnp, m)
     bindings::addTypes(m);
     bindings::addCameras(m);
     bindings::addSolvers(m);
+    bindings::addRansac(m);
     bindings::addSolvePnP(m);
+    bindings::addSolvePnPRansac(m);
 
     m.attr("__name__") = own_name;
 }

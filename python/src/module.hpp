@@ -15,10 +15,12 @@ namespace py = pybind11;
 
 void addErrors(py::module_& m);
 void addConstants(py::module_& m);
-void addTypes(py::module_& m);     // Params, Result
+void addTypes(py::module_& m);     // Params, RansacParams, Result
 void addCameras(py::module_& m);   // CameraModel
 void addSolvers(py::module_& m);   // solve, solveAll, solveRays
+void addRansac(py::module_& m);    // solveRansac, solveRaysRansac
 void addSolvePnP(py::module_& m);  // the functions with signatures of cv2
+void addSolvePnPRansac(py::module_& m);
 
 /** Calls `work`, which must not touch Python, while other Python threads run. */
 template <class Work>

@@ -2,12 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html
 
-#include <tuple>
-
 #include <opencv2/gmlpnp.hpp>
 
-#include "arrays.hpp"
 #include "module.hpp"
+#include "solvepnp.hpp"
 
 // Functions whose parameters and returns are those of cv2, name by name.
 
@@ -65,35 +63,6 @@ const char* const kFisheyeSolvePnP =
 Drop-in for cv2.fisheye.solvePnP (OpenCV 4.10 and newer): as gmlpnp.solvePnP, for the Kannala-Brandt lens. The flags of
 this module work on rays, also at 90 degrees and beyond; the flags of OpenCV need all rays in front of the camera.
 distCoeffs: None or k1, k2, k3, k4. criteria: not used, the lens is inverted to convergence.)";
-
-const TermCriteria kRefineCriteria(TermCriteria::EPS + TermCriteria::COUNT, 20, FLT_EPSILON);  // as in cv2
-
-//! (type, maxCount, epsilon), as in cv2.
-TermCriteria criteriaFrom(const py::object& criteria)
-{
-    if (criteria.is_none())
-        return kRefineCriteria;
-    try {
-        const auto [type, maxCount, epsilon] = criteria.cast<std::tuple<int, int, double>>();
-        return {type, maxCount, epsilon};
-    } catch (const py::cast_error&) {
-        throw py::type_error("'criteria' must be a tuple (type, maxCount, epsilon)");
-    }
-}
-
-//! What every function here starts with.
-struct Data
-{
-    Data(const py::object& objectPoints, const py::object& imagePoints, const py::object& cameraMatrix,
-         const py::object& distCoeffs)
-        : points(objectPoints, "objectPoints"),
-          pixels(imagePoints, "imagePoints"),
-          K(cameraMatrix, "cameraMatrix"),
-          D(distCoeffs, "distCoeffs")
-    {}
-
-    Input points, pixels, K, D;
-};
 
 py::tuple solvePnP(const py::object& objectPoints, const py::object& imagePoints, const py::object& cameraMatrix,
                    const py::object& distCoeffs, const py::object& rvec, const py::object& tvec, bool useExtrinsicGuess,

@@ -15,6 +15,7 @@ namespace bindings {
 namespace {
 
 using cv::gmlpnp::Params;
+using cv::gmlpnp::RansacParams;
 using cv::gmlpnp::Result;
 
 const char* const kParamsDoc = R"(Params([name=value, ...])
@@ -24,6 +25,10 @@ Options of a solve. Every option is an attribute and a keyword of the constructo
     params = gmlpnp.Params(method=gmlpnp.SOLVEPNP_GMLPNP, maxRounds=10)
 
 Arrays are copied, both ways: to change one, assign the whole array.)";
+
+const char* const kRansacParamsDoc = R"(RansacParams([name=value, ...])
+
+Options of RANSAC. Every option is an attribute and a keyword of the constructor, and has a sensible default.)";
 
 const char* const kResultDoc = R"(A pose with its noise and its uncertainty: X = R p + t, R the rotation of rvec.
 
@@ -90,6 +95,24 @@ void addParams(py::module_& m)
     });
 }
 
+void addRansacParams(py::module_& m)
+{
+    Fields<RansacParams> fields(m, "RansacParams", kRansacParamsDoc);
+    fields
+        .add("threshold", &RansacParams::threshold,
+             "Largest residual of an inlier: px, of solveRaysRansac rad (below pi/2). 0 (default): 8 px, 0.01 rad.")
+        .add("confidence", &RansacParams::confidence,
+             "At which the search ends: that a sample of inliers was drawn (default 0.99).")
+        .add("maxIterations", &RansacParams::maxIterations,
+             "Samples of three points at most (default 10000); few are needed where many points are inliers.")
+        .add("seed", &RansacParams::seed, "Of the sampler (default 0): equal seeds, equal results.")
+        .add("ordered", &RansacParams::ordered,
+             "Correspondences come best first: samples start with them (PROSAC; default False).");
+    fields.finish().def("__repr__", [names = fields.names()](const py::object& self) {
+        return "RansacParams(" + listOf(self, names).substr(2) + ")";
+    });
+}
+
 void addResult(py::module_& m)
 {
     Fields<Result> fields(m, "Result", kResultDoc);
@@ -137,6 +160,7 @@ void addResult(py::module_& m)
 void addTypes(py::module_& m)
 {
     addParams(m);
+    addRansacParams(m);
     addResult(m);
 }
 

@@ -79,9 +79,11 @@ class Package(unittest.TestCase):
             self.assertEqual(self.stub.members(name), members, name)
 
     def test_params_are_keywords_of_the_constructor(self):
-        constructor = next(node for node in self.stub.classes["Params"].body if isinstance(node, ast.FunctionDef))
-        keywords = {argument.arg for argument in constructor.args.kwonlyargs}
-        self.assertEqual(keywords, public(dir(gmlpnp.Params)))
+        for struct in (gmlpnp.Params, gmlpnp.RansacParams):
+            body = self.stub.classes[struct.__name__].body
+            constructor = next(node for node in body if isinstance(node, ast.FunctionDef))
+            keywords = {argument.arg for argument in constructor.args.kwonlyargs}
+            self.assertEqual(keywords, public(dir(struct)))
 
     def test_stub_and_docstrings_have_the_same_parameters(self):
         modules = ((gmlpnp, self.stub), (gmlpnp.fisheye, Stub("fisheye.pyi")))
@@ -97,6 +99,7 @@ class Package(unittest.TestCase):
             for name, overloads in stub.functions.items():
                 for parameters in overloads:
                     scalars = {"useExtrinsicGuess": False, "flags": gmlpnp.SOLVEPNP_GMLPNP, "VVSlambda": 1.0}
+                    scalars.update(iterationsCount=100, reprojectionError=8.0, confidence=0.99)
                     values = {parameter: scalars.get(parameter) for parameter, _ in parameters}
                     with self.assertRaises(gmlpnp.error, msg=name):
                         getattr(module, name)(**values)
@@ -105,7 +108,7 @@ class Package(unittest.TestCase):
         for name in gmlpnp.__all__:
             if not isinstance(getattr(gmlpnp, name), int):
                 self.assertTrue(getattr(gmlpnp, name).__doc__, name)
-        for struct in (gmlpnp.Params, gmlpnp.Result, gmlpnp.CameraModel):
+        for struct in (gmlpnp.Params, gmlpnp.RansacParams, gmlpnp.Result, gmlpnp.CameraModel):
             for name in public(dir(struct)):
                 self.assertTrue(getattr(struct, name).__doc__, name)
 
@@ -126,7 +129,7 @@ class Package(unittest.TestCase):
         constants = set(re.findall(r"^    ((?:SOLVEPNP|STATUS|NOISE)_\w+)", text, re.MULTILINE))
         self.assertTrue({"SOLVEPNP_GMLPNP", "STATUS_DEGENERATE", "NOISE_BOTH"} <= constants)
         self.assertLessEqual(constants, set(gmlpnp.__all__))
-        for struct in (gmlpnp.Params, gmlpnp.Result):
+        for struct in (gmlpnp.Params, gmlpnp.RansacParams, gmlpnp.Result):
             body = re.search(rf"^struct \w+ {struct.__name__}$(.*?)^}};", text, re.MULTILINE | re.DOTALL).group(1)
             self.assertEqual(set(re.findall(r"CV_PROP_RW \w+ (\w+);", body)), public(dir(struct)))
 

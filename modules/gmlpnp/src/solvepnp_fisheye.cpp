@@ -5,9 +5,11 @@
 #include "precomp.hpp"
 
 #include "arrays.hpp"
+#include "boundary.hpp"
+#include "solve_ransac.hpp"
 #include "solvepnp.hpp"
 
-// solvePnP of the fisheye lens: solvePnP itself with another camera. No mathematics.
+// solvePnP and solvePnPRansac of the fisheye lens: themselves with another camera. No mathematics.
 
 namespace cv {
 namespace gmlpnp {
@@ -29,6 +31,20 @@ Mat_<double> onImagePlane(const CameraModel& camera, const Mat_<double>& pixels,
     return plane;
 }
 
+// What a solver for pinhole cameras takes. Without the skew, which the lens has already undone.
+struct PinholeView
+{
+    PinholeView(const CameraModel& camera, InputArray imagePoints, InputArray cameraMatrix)
+    {
+        const Matx33d M = detail::matrixFrom(cameraMatrix, 3, 3, "cameraMatrix");
+        pixels = onImagePlane(camera, detail::pointsFrom(imagePoints, 2, "imagePoints"), M);
+        K = Matx33d(M(0, 0), 0, M(0, 2), 0, M(1, 1), M(1, 2), 0, 0, 1);
+    }
+
+    Mat_<double> pixels;
+    Matx33d K;
+};
+
 }  // namespace
 
 bool fisheye::solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
@@ -37,11 +53,23 @@ bool fisheye::solvePnP(InputArray objectPoints, InputArray imagePoints, InputArr
     const Ptr<CameraModel> camera = CameraModel::fisheye(cameraMatrix, distCoeffs);
     if (!detail::isOpenCVFlag(flags))
         return detail::solvePnPWith(camera, objectPoints, imagePoints, rvec, tvec, useExtrinsicGuess, flags);
-    const Matx33d K = detail::matrixFrom(cameraMatrix, 3, 3, "cameraMatrix");
-    const Mat_<double> plane = onImagePlane(*camera, detail::pointsFrom(imagePoints, 2, "imagePoints"), K);
-    // Without the skew, which the lens has already undone.
-    const Matx33d pinhole(K(0, 0), 0, K(0, 2), 0, K(1, 1), K(1, 2), 0, 0, 1);
-    return cv::solvePnP(objectPoints, plane, pinhole, noArray(), rvec, tvec, useExtrinsicGuess, flags);
+    const PinholeView view(*camera, imagePoints, cameraMatrix);
+    return cv::solvePnP(objectPoints, view.pixels, view.K, noArray(), rvec, tvec, useExtrinsicGuess, flags);
+}
+
+bool fisheye::solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                             InputArray distCoeffs, OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess,
+                             int iterationsCount, float reprojectionError, double confidence, OutputArray inliers,
+                             int flags, TermCriteria)
+{
+    const Ptr<CameraModel> camera = CameraModel::fisheye(cameraMatrix, distCoeffs);
+    if (!detail::isOpenCVRansacFlag(flags))
+        return detail::solvePnPRansacWith(camera, objectPoints, imagePoints, rvec, tvec, inliers,
+                                          detail::ransacParamsOf(iterationsCount, reprojectionError, confidence),
+                                          detail::paramsOf(flags, useExtrinsicGuess, rvec, tvec));
+    const PinholeView view(*camera, imagePoints, cameraMatrix);
+    return cv::solvePnPRansac(objectPoints, view.pixels, view.K, noArray(), rvec, tvec, useExtrinsicGuess,
+                              iterationsCount, reprojectionError, confidence, inliers, flags);
 }
 
 }  // namespace gmlpnp

@@ -48,7 +48,7 @@ enum Status
     STATUS_TOO_FEW_POINTS,  //!< fewer than 4 points with a ray (3 with a guess)
     STATUS_DEGENERATE,      //!< collinear or coinciding points or rays, or no pose with points in front
     STATUS_NOT_FINITE,      //!< NaN or infinity in points, pixels, rays or guess
-    STATUS_NO_CONSENSUS     //!< reserved for RANSAC
+    STATUS_NO_CONSENSUS     //!< RANSAC: no pose that more points agree with than by chance
 };
 
 /** @brief The kinds of noise a result may carry. */
@@ -183,6 +183,71 @@ CV_EXPORTS_W int solveAll(InputArray objectPoints, InputArray imagePoints, const
 CV_EXPORTS_W int solveAll(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                           InputArray distCoeffs, CV_OUT std::vector<Result>& results, const Params& params = Params());
 
+/** @brief Options of RANSAC. Every field has a sensible default. */
+struct CV_EXPORTS_W_SIMPLE RansacParams
+{
+    CV_WRAP RansacParams();
+
+    //! Largest residual of an inlier: px, of solveRaysRansac() rad (below pi/2). 0 (default): 8 px, 0.01 rad.
+    CV_PROP_RW double threshold;
+    CV_PROP_RW double confidence;  //!< at which the search ends: that a sample of inliers was drawn (default 0.99)
+    //! Samples of three points at most (default 10000); few of them are needed where many points are inliers.
+    CV_PROP_RW int maxIterations;
+    CV_PROP_RW int seed;      //!< of the sampler (default 0): equal seeds, equal results, on every platform
+    CV_PROP_RW bool ordered;  //!< correspondences come best first: samples start with them (PROSAC; default false)
+};
+
+/** @brief solve() where correspondences may be wrong, up to nine of ten.
+
+Poses of three points (P3P on rays, any direction) are scored by their truncated residuals (MSAC); each new best is
+refined (LO-RANSAC). The search ends at the asked confidence. The marginal or published method then finds pose and noise
+from the inliers, which are counted anew for its pose. Points in the plane are no special case.
+
+The residual of a point is its reprojection error, for any lens; in a panorama's seam and where the lens cannot project
+the point, the angle to its ray times the scale of the lens at its pixel.
+
+@param objectPoints N >= 4 points, object frame, as in solve().
+@param imagePoints N pixels; those without a ray are outliers.
+@param camera the lens.
+@param result pose, noise, uncertainty, from the inliers; Result::usedPoints counts them, Result::weights is 0 for the
+rest. On failure only Result::status is written.
+@param inliers n x 1, CV_32S: rows of the points within the threshold at the pose that is returned, ascending.
+Untouched on failure.
+@param ransac options of the search.
+@param params options of the solve. A guess is tried first and need not be good; known noise is that of the inliers.
+@return true with a finite pose; false and the reason in Result::status: #STATUS_NO_CONSENSUS where no pose has four
+inliers, or no more than wrong correspondences have by chance.
+@throws cv::Exception StsAssert or StsBadArg for misuse, naming the argument. */
+CV_EXPORTS_W bool solveRansac(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
+                              CV_OUT Result& result, OutputArray inliers, const RansacParams& ransac = RansacParams(),
+                              const Params& params = Params());
+
+/** @overload
+@param objectPoints N >= 4 points, object frame.
+@param imagePoints N pixels.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients, as in CameraModel::pinhole.
+@param result pose, noise, uncertainty.
+@param inliers n x 1, CV_32S: rows of the inliers.
+@param ransac options of the search.
+@param params options of the solve. */
+CV_EXPORTS_W bool solveRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                              InputArray distCoeffs, CV_OUT Result& result, OutputArray inliers,
+                              const RansacParams& ransac = RansacParams(), const Params& params = Params());
+
+/** @brief solveRays() where correspondences may be wrong, as solveRansac(); the residual of a point is its angle to its
+ray.
+@param objectPoints N >= 4 points, object frame.
+@param rays N rays in the camera frame, as in solveRays().
+@param result pose, noise, uncertainty; on failure only Result::status is written.
+@param inliers n x 1, CV_32S: rows of the inliers; untouched on failure.
+@param ransac options of the search; the threshold in rad.
+@param params options of the solve.
+@return true with a finite pose, or false and the reason in Result::status.
+@throws cv::Exception StsAssert or StsBadArg for misuse, naming the argument. */
+CV_EXPORTS_W bool solveRaysRansac(InputArray objectPoints, InputArray rays, CV_OUT Result& result, OutputArray inliers,
+                                  const RansacParams& ransac = RansacParams(), const Params& params = Params());
+
 /** @brief Drop-in for cv::solvePnP: the same parameters in the same order.
 
 With #SOLVEPNP_GMLPNP and #SOLVEPNP_GMLPNP_MARGINAL any four or more points will do, coplanar or not (three with a
@@ -201,6 +266,50 @@ guess), in every array layout, and a guess is honoured. All flags of OpenCV are 
 CV_EXPORTS_W bool solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                            InputArray distCoeffs, OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess = false,
                            int flags = SOLVEPNP_GMLPNP_MARGINAL);
+
+/** @brief Drop-in for cv::solvePnPRansac: the same parameters in the same order.
+
+With #SOLVEPNP_GMLPNP and #SOLVEPNP_GMLPNP_MARGINAL this is solveRansac(). All flags of OpenCV, also those of USAC
+(USAC_DEFAULT to USAC_MAGSAC), are forwarded to cv::solvePnPRansac.
+
+@param objectPoints N >= 4 points, object frame, in any layout of solvePnP().
+@param imagePoints N pixels.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients; inverted to convergence.
+@param rvec output rotation vector, 3x1: X = R p + t. CV_64F, or the depth of the array that was passed.
+@param tvec output translation, 3x1, likewise.
+@param useExtrinsicGuess try the given rvec, tvec first; they need not be good.
+@param iterationsCount samples at most. They are of three points and stop at the asked confidence, so the default is
+larger than OpenCV's 100.
+@param reprojectionError largest reprojection error of an inlier, px.
+@param confidence at which the search ends.
+@param inliers n x 1, CV_32S: rows of the inliers of the pose that is returned, ascending.
+@param flags one of #Method, any flag of cv::solvePnP, or one of USAC.
+@return true with a finite pose; false with rvec, tvec and inliers untouched where there is no consensus.
+@throws cv::Exception StsAssert (-215) for wrong shapes, types and counts, StsBadArg (-5) for an unknown flag and for
+numbers out of their range. */
+CV_EXPORTS_W bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                                 InputArray distCoeffs, OutputArray rvec, OutputArray tvec,
+                                 bool useExtrinsicGuess = false, int iterationsCount = 10000,
+                                 float reprojectionError = 8.0, double confidence = 0.99,
+                                 OutputArray inliers = noArray(), int flags = SOLVEPNP_GMLPNP_MARGINAL);
+
+/** @overload
+@param objectPoints N >= 4 points, object frame.
+@param imagePoints N pixels.
+@param cameraMatrix 3x3 camera matrix; it is never written. Without one cv::solvePnPRansac finds a camera too; this
+function does not (StsAssert).
+@param distCoeffs 0, 4, 5, 8, 12 or 14 distortion coefficients.
+@param rvec output rotation vector, 3x1.
+@param tvec output translation, 3x1.
+@param inliers n x 1, CV_32S: rows of the inliers.
+@param params threshold [px], confidence, maxIterations and randomGeneratorState (the seed) are used, sampler chooses
+between uniform samples and SAMPLING_PROSAC (correspondences best first; every other sampler is uniform). The rest says
+how OpenCV's search does its work (isParallel, loIterations, loMethod, loSampleSize, neighborsSearch, score) and means
+nothing to this one. */
+CV_EXPORTS_W bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputOutputArray cameraMatrix,
+                                 InputArray distCoeffs, OutputArray rvec, OutputArray tvec, OutputArray inliers,
+                                 const UsacParams& params = UsacParams());
 
 /** @brief Drop-in for cv::solvePnPGeneric: every distinct pose, best first.
 @param objectPoints N points, object frame, in any layout of solvePnP().
@@ -279,6 +388,32 @@ CV_EXPORTS_W bool solvePnP(InputArray objectPoints, InputArray imagePoints, Inpu
                            InputArray distCoeffs, OutputArray rvec, OutputArray tvec, bool useExtrinsicGuess = false,
                            int flags = cv::gmlpnp::SOLVEPNP_GMLPNP_MARGINAL,
                            TermCriteria criteria = TermCriteria(TermCriteria::MAX_ITER + TermCriteria::EPS, 10, 1e-8));
+
+/** @brief Drop-in for cv::fisheye::solvePnPRansac (OpenCV 4.12 and newer): the same parameters in the same order.
+
+The flags of this module are solveRansac() with this lens, also at 90 degrees and beyond. The flags of OpenCV get the
+pixels undistorted to the image plane of cameraMatrix, where reprojectionError is then measured.
+
+@param objectPoints N >= 4 points, object frame.
+@param imagePoints N pixels; for our flags those without a ray are outliers.
+@param cameraMatrix 3x3 camera matrix, any numeric depth.
+@param distCoeffs k1, k2, k3, k4, or none.
+@param rvec output rotation vector, 3x1: X = R p + t. CV_64F, or the depth of the array that was passed.
+@param tvec output translation, 3x1, likewise.
+@param useExtrinsicGuess try the given rvec, tvec first.
+@param iterationsCount samples of three points at most.
+@param reprojectionError largest reprojection error of an inlier, px of the picture.
+@param confidence at which the search ends.
+@param inliers n x 1, CV_32S: rows of the inliers of the pose that is returned, ascending.
+@param flags one of #Method, any flag of cv::solvePnP, or one of USAC.
+@param criteria not used: the lens is inverted to convergence.
+@return true with a finite pose; false with rvec, tvec and inliers untouched where there is no consensus.
+@throws cv::Exception as cv::gmlpnp::solvePnPRansac() and fisheye::solvePnP(). */
+CV_EXPORTS_W bool solvePnPRansac(
+    InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs, OutputArray rvec,
+    OutputArray tvec, bool useExtrinsicGuess = false, int iterationsCount = 10000, float reprojectionError = 8.0,
+    double confidence = 0.99, OutputArray inliers = noArray(), int flags = cv::gmlpnp::SOLVEPNP_GMLPNP_MARGINAL,
+    TermCriteria criteria = TermCriteria(TermCriteria::MAX_ITER + TermCriteria::EPS, 10, 1e-8));
 
 }  // namespace fisheye
 

@@ -32,6 +32,18 @@ using cv::SOLVEPNP_DLS;
 using cv::SOLVEPNP_UPNP;
 #endif
 
+// Those of cv::solvePnPRansac that choose another search.
+using cv::USAC_ACCURATE;
+using cv::USAC_DEFAULT;
+using cv::USAC_FAST;
+using cv::USAC_FM_8PTS;
+using cv::USAC_MAGSAC;
+using cv::USAC_PARALLEL;
+using cv::USAC_PROSAC;
+
+// Its options.
+using cv::UsacParams;
+
 }  // namespace gmlpnp
 }  // namespace cv
 

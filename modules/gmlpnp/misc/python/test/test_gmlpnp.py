@@ -110,6 +110,30 @@ class gmlpnp_test(NewOpenCVTests):
                 self.assertTrue(ok)
                 self.assert_pose(result.rvec, result.tvec)
 
+    def test_ransac(self):
+        points, pixels = self.scene(60)
+        pixels[:20] = np.random.RandomState(1).uniform(0, 480, (20, 2))
+        good = np.arange(20, 60).reshape(-1, 1)
+        ok, rvec, tvec, inliers = cv.gmlpnp.solvePnPRansac(points, pixels, self.K, self.D, reprojectionError=3.0)
+        self.assertTrue(ok)
+        self.assert_pose(rvec, tvec)
+        np.testing.assert_array_equal(good, inliers)
+        params = cv.UsacParams()
+        params.threshold = 3.0
+        ok, K, rvec, tvec, inliers = cv.gmlpnp.solvePnPRansac(points, pixels, self.K, self.D, params=params)
+        self.assertTrue(ok)
+        self.assert_pose(rvec, tvec)
+        ransac = cv.gmlpnp.RansacParams()
+        ransac.threshold = 0.005
+        camera = cv.gmlpnp.CameraModel.pinhole(self.K, self.D)
+        rays = camera.unproject(pixels)[0]
+        ok, result, inliers = cv.gmlpnp.solveRaysRansac(points, rays, ransac=ransac)
+        self.assertTrue(ok)
+        self.assert_pose(result.rvec, result.tvec)
+        ok, result, inliers = cv.gmlpnp.solveRansac(points, pixels, camera)
+        self.assertTrue(ok)
+        np.testing.assert_array_equal(good, inliers)
+
     def test_no_pose_is_no_exception(self):
         line = np.outer(np.arange(10.), [1., 2, 3]) + [0, 0, 5]
         pixels = line[:, :2] / line[:, 2:] * 800 + [320, 240]
