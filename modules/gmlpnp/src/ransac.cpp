@@ -89,7 +89,7 @@ public:
         if (!(raw.cost < bestRaw_))
             return;
         bestRaw_ = raw.cost;
-        keep(pose, raw);
+        keep(pose, points_.score(pose));
         const Pose refined = locallyOptimised(pose);
         keep(refined, points_.score(refined));
     }
@@ -142,7 +142,6 @@ public:
     }
 
 private:
-    static constexpr int LOCAL_POINTS = 512;         // enough to refine by; the end uses all
     static constexpr double WIDE = 3, NARROW = 1.5;  // thresholds
     static constexpr int FINAL_ROUNDS = 10;
     static constexpr double SETTLED = 1e-3;  // of the cost
@@ -159,7 +158,7 @@ private:
     Pose locallyOptimised(Pose pose) const
     {
         for (const double width : {WIDE, WIDE, NARROW, NARROW})
-            if (!points_.step(pose, width, LOCAL_POINTS))
+            if (!points_.step(pose, width, ScoredPoints::SCREENED))
                 break;
         return pose;
     }

@@ -34,16 +34,24 @@ ScoredPoints::ScoredPoints(const Correspondences& data, const std::vector<Metric
     }
 }
 
-ScoredPoints::Lane ScoredPoints::costs(const Block& block, const Pose& pose)
+ScoredPoints::Residuals ScoredPoints::residuals(const Block& block, const Pose& pose)
 {
     const auto& [p, m, B] = block;
-    Lane X[3];
+    Residuals r;
+    auto& X = r.X;
     for (int axis = 0; axis < 3; ++axis)
         X[axis] = pose.R(axis, 0) * p[0] + pose.R(axis, 1) * p[1] + pose.R(axis, 2) * p[2] + pose.t(axis);
-    const Lane s = m[0] * X[0] + m[1] * X[1] + m[2] * X[2];
-    const Lane u = B[0][0] * X[0] + B[0][1] * X[1] + B[0][2] * X[2];
-    const Lane v = B[1][0] * X[0] + B[1][1] * X[1] + B[1][2] * X[2];
-    const Lane cost = (u * u + v * v) / (s * s);
+    r.s = m[0] * X[0] + m[1] * X[1] + m[2] * X[2];
+    const Lane inverse = (r.s > 0).select(1 / r.s, 0.);
+    for (int row = 0; row < 2; ++row)
+        r.e[row] = (B[row][0] * X[0] + B[row][1] * X[1] + B[row][2] * X[2]) * inverse;
+    return r;
+}
+
+ScoredPoints::Lane ScoredPoints::costs(const Block& block, const Pose& pose)
+{
+    const auto [X, s, e] = residuals(block, pose);
+    const Lane cost = e[0] * e[0] + e[1] * e[1];
     return (s > 0 && cost < 1).select(cost, 1.);
 }
 
@@ -60,12 +68,13 @@ bool hopeless(double cost, double seen, double mean)
 
 }  // namespace
 
-Score ScoredPoints::sumUntil(const Pose& pose, double best) const
+Score ScoredPoints::sumUntil(const Pose& pose, size_t blocks, double best) const
 {
     constexpr size_t GROUP = 8;  // blocks between two looks
-    const double mean = std::min(1., best / n_);
+    const double points = std::min(static_cast<double>(blocks) * LANES, static_cast<double>(n_));
+    const double mean = std::min(1., best / points);
     Lane cost = Lane::Zero(), inliers = Lane::Zero();
-    for (size_t b = 0; b < blocks_.size(); ++b) {
+    for (size_t b = 0; b < blocks; ++b) {
         if (b % GROUP == 0 && b > 0) {
             const double sum = cost.sum();
             if (sum >= best || hopeless(sum, static_cast<double>(b * LANES), mean))
@@ -75,18 +84,18 @@ Score ScoredPoints::sumUntil(const Pose& pose, double best) const
         cost += here;
         inliers += (here < 1).select(Lane::Ones(), Lane::Zero());
     }
-    const double filling = static_cast<double>(blocks_.size()) * LANES - n_;
+    const double filling = static_cast<double>(blocks) * LANES - points;
     return {cost.sum() - filling, static_cast<int>(inliers.sum())};
 }
 
 Score ScoredPoints::score(const Pose& pose) const
 {
-    return sumUntil(pose, std::numeric_limits<double>::infinity());
+    return sumUntil(pose, blocks_.size(), std::numeric_limits<double>::infinity());
 }
 
 Score ScoredPoints::scoreAgainst(const Pose& pose, double best) const
 {
-    return sumUntil(pose, best);
+    return sumUntil(pose, std::min<size_t>(blocks_.size(), SCREENED / LANES), best);
 }
 
 std::vector<bool> ScoredPoints::inliers(const Pose& pose) const
@@ -99,29 +108,39 @@ std::vector<bool> ScoredPoints::inliers(const Pose& pose) const
 
 bool ScoredPoints::step(Pose& pose, double width, int count) const
 {
-    const double width2 = width * width;
-    Matrix6d H = Matrix6d::Zero();
-    Vector6d g = Vector6d::Zero();
-    for (int lane = 0; lane < std::min(count, n_); ++lane) {
-        const Block& block = blocks_[lane / LANES];
-        const int k = lane % LANES;
-        const Vector3d m(block.m[0](k), block.m[1](k), block.m[2](k));
-        const Vector3d X = pose * Vector3d(block.p[0](k), block.p[1](k), block.p[2](k));
-        const double s = m.dot(X);
-        Metric B;
-        B << block.B[0][0](k), block.B[0][1](k), block.B[0][2](k), block.B[1][0](k), block.B[1][1](k), block.B[1][2](k);
-        const Eigen::Vector2d e = B * X / s;
-        const double share = e.squaredNorm() / width2;
-        if (!(s > 0 && share < 1))
-            continue;
-        const double w = (1 - share) * (1 - share);
+    Lane sumH[21], sumG[6];
+    for (Lane& sum : sumH)
+        sum.setZero();
+    for (Lane& sum : sumG)
+        sum.setZero();
+    const size_t blocks = std::min<size_t>(blocks_.size(), (static_cast<size_t>(count) + LANES - 1) / LANES);
+    for (size_t b = 0; b < blocks; ++b) {
+        const Block& block = blocks_[b];
+        const auto [X, s, e] = residuals(block, pose);
+        const Lane left = 1 - (e[0] * e[0] + e[1] * e[1]) / (width * width);
+        const Lane w = (s > 0 && left > 0).select(left * left, 0.), inverse = (s > 0).select(1 / s, 0.);
         for (int row = 0; row < 2; ++row) {
-            const Vector3d slope = (B.row(row).transpose() - e(row) * m) / s;  // of e by X
-            Vector6d J;
-            J << X.cross(slope), slope;
-            H += w * J * J.transpose();
-            g += w * e(row) * J;
+            Lane J[6];
+            for (int axis = 0; axis < 3; ++axis)
+                J[3 + axis] = (block.B[row][axis] - e[row] * block.m[axis]) * inverse;  // of e by X
+            for (int axis = 0; axis < 3; ++axis) {
+                const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+                J[axis] = X[next] * J[3 + last] - X[last] * J[3 + next];
+            }
+            for (int i = 0, k = 0; i < 6; ++i) {
+                const Lane wJ = w * J[i];
+                sumG[i] += wJ * e[row];
+                for (int j = i; j < 6; ++j, ++k)
+                    sumH[k] += wJ * J[j];
+            }
         }
+    }
+    Matrix6d H;
+    Vector6d g;
+    for (int i = 0, k = 0; i < 6; ++i) {
+        g(i) = sumG[i].sum();
+        for (int j = i; j < 6; ++j, ++k)
+            H(i, j) = H(j, i) = sumH[k].sum();
     }
     const UnitDiagonal scaled(H);
     const Eigen::LDLT<Matrix6d> ldlt(scaled.matrix);

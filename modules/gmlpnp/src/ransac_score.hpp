@@ -28,8 +28,8 @@ public:
 
     Score score(const Pose& pose) const;
 
-    /** The same, given up (cost infinity) as soon as a pose as good as one of cost `best` would not have come to this
-    with a probability of about 0.999. */
+    /** The same over the first SCREENED points of the random order, given up (cost infinity) as soon as a pose as good
+    as one of cost `best` over these would not have come to this with a probability of about 0.999. */
     Score scoreAgainst(const Pose& pose, double best) const;
 
     /** Whether each point is an inlier, in the caller's order. */
@@ -39,6 +39,8 @@ public:
     `count` points of the random order; false where they do not determine one. */
     bool step(Pose& pose, double width, int count) const;
 
+    static constexpr int SCREENED = 512;  // of one inlier in ten there are fifty among them
+
 private:
     static constexpr int LANES = 8;  // doubles at a time; sums do not depend on the size of registers
     using Lane = Eigen::Array<double, LANES, 1>;
@@ -47,8 +49,15 @@ private:
         Lane p[3], m[3], B[2][3];
     };
 
+    // X = R p + t, s = m . X, and e over s, zero where s is not positive.
+    struct Residuals
+    {
+        Lane X[3], s, e[2];
+    };
+
+    static Residuals residuals(const Block& block, const Pose& pose);
     static Lane costs(const Block& block, const Pose& pose);
-    Score sumUntil(const Pose& pose, double best) const;
+    Score sumUntil(const Pose& pose, size_t blocks, double best) const;
 
     int n_;
     std::vector<int> order_;  // of the lanes: rows of the caller
