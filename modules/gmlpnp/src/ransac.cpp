@@ -38,30 +38,46 @@ constexpr int MIN_INLIERS = SAMPLE_SIZE + 1;  // one at least to agree with the 
 // Samples that show the confidence even where one would do: three noisy points may give a poor pose.
 constexpr int MIN_ITERATIONS = 20;
 
-/** Samples after which one of inliers alone was drawn with the asked confidence. */
-double neededIterations(int inliers, int n, double confidence)
+double samplesOf(int n)
 {
-    double clean = 1;  // share of the samples that are
+    double count = 1;
     for (int k = 0; k < SAMPLE_SIZE; ++k)
-        clean *= double(std::max(inliers - k, 0)) / (n - k);
-    if (clean >= 1)
-        return 0;
-    return std::log(1 - confidence) / std::log1p(-clean);
+        count *= double(std::max(n - k, 0)) / (k + 1);
+    return count;
 }
 
-/** Whether so many inliers mean something: the expected number of wrong poses, among those that were tried, that have
-as many by chance is below EXPECTED (a contrario: Moisan and Stival 2004; tail of the binomial by Chernoff's bound). */
+/** Samples after which the asked confidence is reached. Of those of inliers alone, half may be too noisy to lead to the
+pose. */
+double neededIterations(int inliers, int n, double confidence)
+{
+    constexpr double LEADS_TO_POSE = 0.5;
+    const double good = LEADS_TO_POSE * samplesOf(inliers) / samplesOf(n);
+    return std::log(1 - confidence) / std::log1p(-good);
+}
+
+/** Bound of the logarithm of the probability that of n each with a chance `p` at least k come out: of any k of them
+(union), for many that of Chernoff. */
+double logTail(int k, int n, double p)
+{
+    constexpr int MANY = 50;
+    const double share = double(k) / n;
+    if (share <= p)
+        return 0;
+    double bound = 0;
+    for (int i = 0; k <= MANY && i < k; ++i)
+        bound += std::log(p * (n - i) / (k - i));
+    if (k > MANY)
+        bound = -n * (share * std::log(share / p) + (share < 1 ? (1 - share) * std::log((1 - share) / (1 - p)) : 0));
+    return std::min(bound, 0.);
+}
+
+/** Whether so many inliers mean something: the expected number of wrong poses, among the `tried` ones, that have as
+many by chance is below EXPECTED (a contrario: Moisan and Stival 2004). */
 bool significant(int inliers, int n, double chance, double tried)
 {
     constexpr double EXPECTED = 0.05;
-    if (inliers < MIN_INLIERS)
-        return false;
-    const double others = n - SAMPLE_SIZE, share = (inliers - SAMPLE_SIZE) / others;
-    if (share <= chance)
-        return false;
-    const double miss = share < 1 ? (1 - share) * std::log((1 - share) / (1 - chance)) : 0;
-    const double divergence = share * std::log(share / chance) + miss;
-    return std::log(tried / EXPECTED) < others * divergence;
+    return inliers >= MIN_INLIERS &&
+           std::log(tried) + logTail(inliers - SAMPLE_SIZE, n - SAMPLE_SIZE, chance) < std::log(EXPECTED);
 }
 
 // A thin triangle gives no pose worth scoring: least height over longest side.
@@ -101,6 +117,7 @@ public:
             p[k] = data_.pointAt(sample[k]);
             m[k] = data_.rayAt(sample[k]);
         }
+        ++drawn_;
         if (thin(p))
             return;
         std::array<Pose, 4> poses;
@@ -111,6 +128,9 @@ public:
 
     bool finished(int drawn, int pool)
     {
+        constexpr double EXHAUSTED = 10;  // times as many samples as there are: e^-10 of them have not come
+        if (drawn >= EXHAUSTED * samplesOf(points_.size()))
+            return true;
         if (drawn < MIN_ITERATIONS || best_.inliers < MIN_INLIERS)
             return false;
         if (drawn >= neededIterations(best_.inliers, points_.size(), options_.confidence))
@@ -120,14 +140,14 @@ public:
             return false;
         const int inPool = inliersAmongFirst(pool);
         return drawn >= neededIterations(inPool, pool, options_.confidence) &&
-               significant(inPool, pool, options_.chance, tried_);
+               significant(inPool, pool, options_.chance, distinct());
     }
 
     /** All points, until the inliers stay. */
     std::optional<Pose> result()
     {
         const bool all = best_.inliers == points_.size() && best_.inliers >= MIN_INLIERS;
-        if (!all && !significant(best_.inliers, points_.size(), options_.chance, tried_))
+        if (!all && !significant(best_.inliers, points_.size(), options_.chance, distinct()))
             return std::nullopt;
         for (int round = 0; round < FINAL_ROUNDS; ++round) {
             Pose pose = bestPose_;
@@ -163,6 +183,9 @@ private:
         return pose;
     }
 
+    // Poses tried, but those of samples that came again.
+    double distinct() const { return tried_ * std::min(1., samplesOf(points_.size()) / std::max(drawn_, 1.)); }
+
     int inliersAmongFirst(int count)
     {
         if (prefix_.empty()) {
@@ -179,8 +202,8 @@ private:
     Score best_{std::numeric_limits<double>::infinity(), 0};
     Pose bestPose_;
     double bestRaw_ = std::numeric_limits<double>::infinity();  // of the poses of samples, as they came
-    double tried_ = 0;
-    std::vector<int> prefix_;  // inliers of the best among the first so many points
+    double drawn_ = 0, tried_ = 0;                              // samples, poses
+    std::vector<int> prefix_;                                   // inliers of the best among the first so many points
 };
 
 }  // namespace
