@@ -6,7 +6,7 @@ find_package(OpenCV REQUIRED COMPONENTS core) # the module has found it, but for
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gmlpnp)
 
-install(TARGETS opencv_gmlpnp EXPORT gmlpnpTargets
+install(TARGETS ${libraries} EXPORT gmlpnpTargets
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY modules/gmlpnp/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

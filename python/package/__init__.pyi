@@ -271,3 +271,11 @@ def solvePnPRefineVVS(
     criteria: Optional[Tuple[int, int, float]] = ...,
     VVSlambda: float = ...,
 ) -> Tuple[_Float, _Float]: ...
+def drawPoseUncertainty(
+    image: NDArray[np.uint8],
+    camera: CameraModel,
+    result: Result,
+    length: float,
+    points: Optional[ArrayLike] = ...,
+    thickness: int = ...,
+) -> NDArray[np.uint8]: ...

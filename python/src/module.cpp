@@ -23,6 +23,9 @@ PYBIND11_MODULE(_gmlpnp, m)
     bindings::addRansac(m);
     bindings::addSolvePnP(m);
     bindings::addSolvePnPRansac(m);
+#ifdef GMLPNP_HAVE_DRAW
+    bindings::addDraw(m);
+#endif
 
     m.attr("__name__") = own_name;
 }

@@ -21,6 +21,7 @@ void addSolvers(py::module_& m);   // solve, solveAll, solveRays
 void addRansac(py::module_& m);    // solveRansac, solveRaysRansac
 void addSolvePnP(py::module_& m);  // the functions with signatures of cv2
 void addSolvePnPRansac(py::module_& m);
+void addDraw(py::module_& m);  // drawPoseUncertainty, where the library is there
 
 /** Calls `work`, which must not touch Python, while other Python threads run. */
 template <class Work>

@@ -34,6 +34,8 @@ using threshold = this_name_needs_cv_before_it;
 #include "opencv2/gmlpnp.hpp"
 #include "opencv2/ts.hpp"
 
+#define GMLPNP_HAVE_DRAW
+
 // The GoogleTest inside OpenCV 4.x predates the renaming of "test case" to "test suite".
 #ifndef INSTANTIATE_TEST_SUITE_P
 #define INSTANTIATE_TEST_SUITE_P INSTANTIATE_TEST_CASE_P
