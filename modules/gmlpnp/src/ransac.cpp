@@ -46,11 +46,11 @@ double samplesOf(int n)
     return count;
 }
 
-/** Samples after which the asked confidence is reached. Of those of inliers alone, half may be too noisy to lead to the
-pose. */
+/** Samples after which the asked confidence is reached. Of those of inliers alone, one in five may be too noisy to
+lead to the pose. */
 double neededIterations(int inliers, int n, double confidence)
 {
-    constexpr double LEADS_TO_POSE = 0.5;
+    constexpr double LEADS_TO_POSE = 0.8;
     const double good = LEADS_TO_POSE * samplesOf(inliers) / samplesOf(n);
     return std::log(1 - confidence) / std::log1p(-good);
 }
@@ -101,10 +101,11 @@ public:
     void tryPose(const Pose& pose)
     {
         ++tried_;
-        const Score raw = points_.scoreAgainst(pose, bestRaw_);
-        if (!(raw.cost < bestRaw_))
+        const double enough = bestRaw_ + NEARLY;
+        const Score raw = points_.scoreAgainst(pose, enough);
+        if (!(raw.cost < enough))
             return;
-        bestRaw_ = raw.cost;
+        bestRaw_ = std::min(bestRaw_, raw.cost);
         keep(pose, points_.score(pose));
         const Pose refined = locallyOptimised(pose);
         keep(refined, points_.score(refined));
@@ -163,6 +164,7 @@ public:
 
 private:
     static constexpr double WIDE = 3, NARROW = 1.5;  // thresholds
+    static constexpr double NEARLY = 1;              // inliers fewer than the best, and a pose is still refined
     static constexpr int FINAL_ROUNDS = 10;
     static constexpr double SETTLED = 1e-3;  // of the cost
 
