@@ -4,6 +4,8 @@ s/\bSOLVEPNP_MAX_COUNT\b/METHODS/g
 s/^\( *\)eps\[SOLVEPNP_SQPNP\] = \(.*\);/&\
 \1eps[METHODS - 2] = eps[METHODS - 1] = \2;/
 s/\(int methods\[\] = {SOLVEPNP_ITERATIVE.*\)};/\1, gmlpnp::SOLVEPNP_GMLPNP, gmlpnp::SOLVEPNP_GMLPNP_MARGINAL};/
+# Of four or five points RANSAC finds the pose of the same method on all of them; of theirs, that is EPNP or P3P.
+s/, rvec2, Tvec2, false, SOLVEPNP_\(EPNP\|P3P\));/, rvec2, Tvec2);/
 /solveP3P/!{
 s/(SolvePnPMethod)method\b/flagOf(method)/
 s/, method);/, flagOf(method));/
