@@ -5,9 +5,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 if [[ "${1:-}" == --help ]]; then
   cat <<'HELP'
-Usage: scripts/bench.sh [--times [Google Benchmark arguments...]]
+Usage: scripts/bench.sh [--times [Google Benchmark arguments...] | --ransac [--scale=1]]
 Builds into build/release and prints CPU times relative to SQPNP: medians of paired repetitions.
-  --times   absolute times by Google Benchmark instead, e.g. --times --benchmark_filter=SQPNP
+  --times    absolute times by Google Benchmark instead, e.g. --times --benchmark_filter=SQPNP
+  --ransac   RANSAC beside that of OpenCV instead (10 minutes): the tables of doc/ransac.md, which are replaced;
+             with another --scale (share of the problems) they are only printed
 HELP
   exit 0
 fi
@@ -15,7 +17,7 @@ fi
 {
   bash scripts/install_deps.sh
   cmake --preset release -DGMLPNP_BUILD_BENCHMARKS=ON
-  cmake --build --preset release --target bench_solvepnp
+  cmake --build --preset release --target bench_solvepnp bench_ransac
 } >&2 # so that the table alone can go into a file
 
 bench=build/release/test/benchmark/bench_solvepnp
@@ -25,6 +27,17 @@ if [[ "${1:-}" == --times ]]; then
 fi
 
 cpu=$(awk -F': *' '/^model name/ { print $2; exit }' /proc/cpuinfo)
-echo "$(date -u +%F), ${cpu:-$(uname -m)}, one thread."
-echo
+heading="$(date -u +%F), ${cpu:-$(uname -m)}, one thread."
+if [[ "${1:-}" == --ransac ]]; then
+  shift
+  tables=build/release/ransac.md
+  printf '%s\n\n' "$heading" >"$tables"
+  build/release/test/benchmark/bench_ransac "$@" | tee -a "$tables"
+  if [[ $# -eq 0 ]]; then
+    sed '/^<!-- table -->$/q' doc/ransac.md >build/release/doc.md
+    { cat build/release/doc.md && echo && cat "$tables"; } >doc/ransac.md
+  fi
+  exit 0
+fi
+printf '%s\n\n' "$heading"
 "$bench" --ratios
