@@ -18,7 +18,7 @@ double chanceOf(double radius, double variance1, double variance2)
 {
     constexpr double LEAST = 1e-9, MOST = 0.9;
     const double area = 12 * std::sqrt(std::max(variance1 * variance2, 0.));
-    return std::min(std::max(CV_PI * radius * radius / area, LEAST), MOST);  // MOST also for NaN and infinity
+    return std::min(std::max(CV_PI * radius * radius / area, LEAST), MOST);  // MOST also where the area is zero
 }
 
 Vector3d spread(const Mat_<double>& rows)
