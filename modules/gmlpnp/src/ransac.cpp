@@ -103,7 +103,8 @@ public:
         ++tried_;
         const double enough = bestRaw_ + NEARLY;
         const Score raw = points_.scoreAgainst(pose, enough);
-        if (!(raw.cost < enough))
+        const bool nearly = raw.cost < enough && raw.inliers >= MIN_INLIERS;
+        if (!(raw.cost < bestRaw_ || nearly))
             return;
         bestRaw_ = std::min(bestRaw_, raw.cost);
         keep(pose, points_.score(pose));
@@ -164,7 +165,7 @@ public:
 
 private:
     static constexpr double WIDE = 3, NARROW = 1.5;  // thresholds
-    static constexpr double NEARLY = 1;              // inliers fewer than the best, and a pose is still refined
+    static constexpr double NEARLY = 1;              // an inlier fewer than the best, and a pose is still refined
     static constexpr int FINAL_ROUNDS = 10;
     static constexpr double SETTLED = 1e-3;  // of the cost
 
