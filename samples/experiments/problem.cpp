@@ -143,7 +143,7 @@ Draw outlierProblem(int n, double sigma, double px, double share, bool gross)
 {
     return [=](cv::RNG& rng) {
         Scene scene = synthetic::paperScene(rng, n, sigma, px);
-        const Matrix3d root = cv::gmlpnp::detail::squareRoot(24 * scene.Sigma);  // 24 + 1 = 5^2
+        const Matrix3d root = cv::gmlpnp::detail::Eigen3d(24 * scene.Sigma).operatorSqrt();  // 24 + 1 = 5^2
         for (int i = 0; i < cvRound(share * n); ++i) {
             if (gross) {
                 scene.imagePoints(i, 0) = rng.uniform(0., 640.);

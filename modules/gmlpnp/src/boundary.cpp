@@ -223,17 +223,20 @@ Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<Cam
 
     Input input;
     input.total = points.rows;
+    input.used.reserve(input.total);
     for (int i = 0; i < input.total; ++i)
         if (valid(i))
             input.used.push_back(i);
+    const bool allUsed = static_cast<int>(input.used.size()) == input.total;
     input.observations = {chosenRows(points, input.used), chosenRows(rays, input.used),
                           chosenRows(knownObject(params, input.total), input.used),
                           chosenRows(weighed ? knownRays(params, jacobian, valid) : Mat_<double>(), input.used)};
     if (wantRayByPixel)
         input.rayByPixel = chosenRows(jacobian, input.used);
-    // A pixel that is not a number is bad data, not a pixel without a ray; so is a point, also without a ray.
+    // A pixel that is not a number is bad data, not a pixel without a ray; so is a point, also without a ray. Where all
+    // pixels have a ray they are finite.
     const auto allFinite = [](const Mat& m) { return checkRange(m, true, nullptr, -DBL_MAX, DBL_MAX); };
-    input.finite = finiteGuess(params) && allFinite(pixels) && allFinite(points);
+    input.finite = finiteGuess(params) && (allUsed || allFinite(pixels)) && allFinite(points);
     return input;
 }
 

@@ -39,13 +39,25 @@ Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<do
                                  const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances)
     : columns(objectPoints.rows, 6)
 {
-    const RowPoints p = asEigen(objectPoints), m = asEigen(rays);
-    centre = p.colwise().mean().transpose();
-    columns.leftCols<3>() = p.rowwise() - centre.transpose();
-    columns.rightCols<3>() = m.rowwise().normalized();
-    scale = std::sqrt(columns.leftCols<3>().rowwise().squaredNorm().mean());
+    const int n = objectPoints.rows;
+    const double *p = objectPoints[0], *m = rays[0];
+    Vector3d sum = Vector3d::Zero();
+    for (int i = 0; i < n; ++i)
+        sum += Vector3d(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
+    centre = sum / n;
+    double square = 0;
+    for (int i = 0; i < n; ++i) {
+        const double length =
+            std::sqrt(m[3 * i] * m[3 * i] + m[3 * i + 1] * m[3 * i + 1] + m[3 * i + 2] * m[3 * i + 2]);
+        for (int k = 0; k < 3; ++k) {
+            columns(i, k) = p[3 * i + k] - centre(k);
+            columns(i, 3 + k) = m[3 * i + k] / length;
+            square += columns(i, k) * columns(i, k);
+        }
+    }
+    scale = std::sqrt(square / n);
     if (scale > 0)
-        columns.leftCols<3>() /= scale;
+        columns.leftCols<3>() *= 1 / scale;
 
     if (objectCovariances.empty() && rayCovariances.empty())
         return;
