@@ -49,6 +49,18 @@ bool sound(const Estimate& estimate, int n)
            2 * estimate.sums.inFront > n;
 }
 
+std::vector<double> weights(const Correspondences& data, const Estimate& found)
+{
+    const double tail = found.noise.tail;
+    std::vector<double> out(data.size(), 1.);
+    if (tail == 0)
+        return out;
+    rayPass(data, found.pose, found.noise, {LeverArm::CORRECTED, NO_PRODUCTS, out.data()});
+    for (double& c : out)
+        c = (1 + 2 * tail) / (1 + tail * c);
+    return out;
+}
+
 Solution toCaller(const Correspondences& data, const Estimate& found, const Options& options)
 {
     const int n = data.size();
@@ -69,8 +81,7 @@ Solution toCaller(const Correspondences& data, const Estimate& found, const Opti
         return solution;
     if (n > 3 || (options.Sigma && options.Gamma))
         solution.covariance = rescaled(poseCovariance(found, n), data.scale);
-    for (int i = 0; i < n; ++i)
-        solution.weights.push_back(pointTerms(data, i, found.pose, found.noise).w);
+    solution.weights = weights(data, found);
     return solution;
 }
 
