@@ -13,10 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <string>
 #include <vector>
+
+#include "measuring.hpp"
 
 namespace {
 
@@ -50,16 +51,6 @@ struct Problem
     cv::Matx33d R;
     cv::Vec3d t;
 };
-
-cv::Matx33d randomRotation(cv::RNG& rng)
-{
-    cv::Vec4d q(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1), rng.gaussian(1));
-    q /= cv::norm(q);
-    const double w = q[0], x = q[1], y = q[2], z = q[3];
-    return cv::Matx33d(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),  //
-                       2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),  //
-                       2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y));
-}
 
 // The box of the paper's protocol, [-2, 2] x [-2, 2] x [4, 8] m before the camera, seen from a random pose. A wrong
 // correspondence has a pixel anywhere in the picture of the box.
@@ -122,13 +113,6 @@ const size_t METHOD_COUNT = sizeof(METHODS) / sizeof(METHODS[0]);
 
 // --- Measurement ---
 
-double threadSeconds()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 struct Outcome
 {
     bool right;
@@ -169,13 +153,6 @@ struct Summary
     double rotation = 0, translation = 0;  // means over the right poses
     double milliseconds = 0;               // median
 };
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 Summary summarise(const std::vector<Outcome>& outcomes)
 {

@@ -20,11 +20,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "measuring.hpp"
 
 namespace {
 
@@ -43,17 +44,6 @@ struct Problem
 const cv::Matx33d K(800, 0, 320, 0, 800, 240, 0, 0, 1);  // px; 640 x 480
 const double OBJECT_NOISE = 0.1;                         // m, the largest standard deviation of the three
 const double IMAGE_NOISE = 1;                            // px, the larger one of the two
-
-cv::Matx33d randomRotation(cv::RNG& rng)
-{
-    // A Gaussian quaternion has no preferred direction.
-    cv::Vec4d q(rng.gaussian(1), rng.gaussian(1), rng.gaussian(1), rng.gaussian(1));
-    q /= cv::norm(q);
-    const double w = q[0], x = q[1], y = q[2], z = q[3];
-    return cv::Matx33d(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),  //
-                       2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),  //
-                       2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y));
-}
 
 // Points uniform in [-2, 2] x [-2, 2] x [4, 8] m of the camera frame; the object frame has its origin in their centre
 // and any orientation; anisotropic Gaussian noise on points and pixels.
@@ -138,20 +128,6 @@ void solveOrThrow(const Method& method, const Problem& problem)
 }
 
 // --- Paired ratios ---
-
-double threadSeconds()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // Seconds of each method for all problems of one repetition, each problem solved `calls` times.
 std::vector<double> measureOnce(const std::vector<Problem>& problems, int calls, size_t repetition)

@@ -14,12 +14,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <limits>
 #include <vector>
 
 #include "../../modules/gmlpnp/src/precomp.hpp"
 #include "../../modules/gmlpnp/src/ray_pass.hpp"
+#include "measuring.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -147,13 +147,6 @@ double operationsPerPoint(const Correspondences& data, const Loop& loop)
 }
 
 // --- Time ---
-
-double threadSeconds()
-{
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 // The least of several measurements: what disturbs can only add.
 template <class Function>
