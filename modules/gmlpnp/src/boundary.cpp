@@ -234,9 +234,9 @@ Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<Cam
     if (wantRayByPixel)
         input.rayByPixel = chosenRows(jacobian, input.used);
     // A pixel that is not a number is bad data, not a pixel without a ray; so is a point, also without a ray. Where all
-    // pixels have a ray they are finite.
+    // pixels have a ray they are finite, and the solver looks at the points.
     const auto allFinite = [](const Mat& m) { return checkRange(m, true, nullptr, -DBL_MAX, DBL_MAX); };
-    input.finite = finiteGuess(params) && (allUsed || allFinite(pixels)) && allFinite(points);
+    input.finite = finiteGuess(params) && (allUsed || (allFinite(pixels) && allFinite(points)));
     return input;
 }
 
@@ -294,6 +294,18 @@ Result toResult(const Solution& solution, Status status, const Input& input)
         weights(input.used[k]) = solution.weights[k];
     out.weights = weights;
     return out;
+}
+
+bool solveOne(const Input& input, const Options& options, Result& result)
+{
+    Status status;
+    std::vector<Solution> solutions;
+    if (!run(input, options, status, solutions)) {
+        result.status = status;
+        return false;
+    }
+    result = toResult(solutions.front(), status, input);
+    return true;
 }
 
 Params paramsOf(int flags, bool useExtrinsicGuess, InputArray rvec, InputArray tvec)

@@ -38,6 +38,9 @@ bool run(const Input& input, const Options& options, Status& status, std::vector
 
 Result toResult(const Solution& solution, Status status, const Input& input);
 
+/** One problem; on a failure only Result::status is written. */
+bool solveOne(const Input& input, const Options& options, Result& result);
+
 /** Params of a call with one of our flags; StsBadArg for every other flag. */
 Params paramsOf(int flags, bool useExtrinsicGuess, InputArray rvec, InputArray tvec);
 

@@ -67,16 +67,26 @@ public:
         Point2d p = k.planeOf(pixel);
         Matx22d byPlane = Matx22d::eye();
         const bool flat = isTilted || !distortion.isNone() ? flatten(p, jacobian ? &byPlane : nullptr) : true;
-        if (!flat || !isFinite(p))
+        if (!flat || !rayThrough(p, ray))
             return false;
-        const double norm = std::sqrt(p.x * p.x + p.y * p.y + 1), w = 1 / norm;
-        if (!(w > 0))
-            return false;
-        ray = Vec3d(p.x * w, p.y * w, w);
         if (jacobian)
-            *jacobian = k.byPixel(
-                unitJacobian(ray, norm, Matx32d(byPlane(0, 0), byPlane(0, 1), byPlane(1, 0), byPlane(1, 1), 0, 0)));
+            *jacobian = k.byPixel(unitJacobian(
+                ray, 1 / ray[2], Matx32d(byPlane(0, 0), byPlane(0, 1), byPlane(1, 0), byPlane(1, 1), 0, 0)));
         return true;
+    }
+
+    void unprojectPoints(const Point2d* pixels, int count, Vec3d* rays, uchar* valid) const override
+    {
+        if (isTilted || !distortion.isNone()) {
+            CameraModel::unprojectPoints(pixels, count, rays, valid);
+            return;
+        }
+        for (int i = 0; i < count; ++i) {  // without a call for each the divisions of several points overlap
+            const bool seen = rayThrough(k.planeOf(pixels[i]), rays[i]);
+            valid[i] = seen ? 255 : 0;
+            if (!seen)
+                rays[i] = Vec3d();
+        }
     }
 
     bool projectPoint(const Vec3d& point, Point2d& pixel) const override
@@ -107,6 +117,16 @@ public:
     }
 
 private:
+    // False for a point of the plane that is not finite, or so far out that its ray has no digits left.
+    static bool rayThrough(const Point2d& p, Vec3d& ray)
+    {
+        const double w = 1 / std::sqrt(p.x * p.x + p.y * p.y + 1);
+        if (!(w > 0))
+            return false;
+        ray = Vec3d(p.x * w, p.y * w, w);
+        return true;
+    }
+
     // Undoes tilt and distortion: p becomes (X/Z, Y/Z), J its derivative by what p was.
     bool flatten(Point2d& p, Matx22d* J) const
     {

@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 
 #include "correspondences.hpp"
+#include "ray_pass.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -12,52 +13,28 @@ namespace detail {
 
 namespace {
 
-using RowPoints = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>;
-
-RowPoints asEigen(const Mat_<double>& points)
-{
-    return RowPoints(points[0], points.rows, 3);
-}
-
 // Spread of the points across the best line through them, relative to the spread along it. Collinear points given in
 // single precision come out near 1e-7, so nothing below this can be told from a line.
 constexpr double COLLINEAR = 1e-6;
 
-// The same for rays: all within this angle [rad] of each other.
+// The same for rays: the root of the sum of their squared angles to the first [rad].
 constexpr double PARALLEL = 1e-9;
 
 }  // namespace
-
-bool finite(const Mat_<double>& objectPoints, const Mat_<double>& rays)
-{
-    const RowPoints p = asEigen(objectPoints), m = asEigen(rays);
-    // The sum of squares is finite for anything below 1e150 and not for NaN and infinity.
-    return std::isfinite(p.squaredNorm()) && std::isfinite(m.squaredNorm()) && m.rowwise().squaredNorm().minCoeff() > 0;
-}
 
 Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
                                  const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances)
     : columns(objectPoints.rows, 6)
 {
-    const int n = objectPoints.rows;
-    const double *p = objectPoints[0], *m = rays[0];
-    Vector3d sum = Vector3d::Zero();
-    for (int i = 0; i < n; ++i)
-        sum += Vector3d(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
-    centre = sum / n;
-    double square = 0;
-    for (int i = 0; i < n; ++i) {
-        const double length =
-            std::sqrt(m[3 * i] * m[3 * i] + m[3 * i + 1] * m[3 * i + 1] + m[3 * i + 2] * m[3 * i + 2]);
-        for (int k = 0; k < 3; ++k) {
-            columns(i, k) = p[3 * i + k] - centre(k);
-            columns(i, 3 + k) = m[3 * i + k] / length;
-            square += columns(i, k) * columns(i, k);
-        }
-    }
-    scale = std::sqrt(square / n);
+    using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>;
+    columns << Rows(objectPoints[0], size(), 3), Rows(rays[0], size(), 3);
+    centre = columns.leftCols<3>().colwise().mean();
+    prepare(centre);
+    scale = std::sqrt((sums.scatter[0] + sums.scatter[3] + sums.scatter[5]) / size());
     if (scale > 0)
         columns.leftCols<3>() *= 1 / scale;
+    for (double& entry : sums.scatter)
+        entry /= scale * scale;
 
     if (objectCovariances.empty() && rayCovariances.empty())
         return;
@@ -70,6 +47,35 @@ Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<do
             if (!rayCovariances.empty())
                 known(i, 6 + k) = rayCovariances(i, UPPER[k]);
         }
+}
+
+void Correspondences::prepare(const Vector3d& origin)
+{
+    double *point[3], *ray[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        point[axis] = columns.col(axis).data();
+        ray[axis] = columns.col(3 + axis).data();
+    }
+    rayKernels().prepare(point, ray, size(), origin.data(), sums);
+}
+
+Correspondences Correspondences::part(int count) const
+{
+    Correspondences out;
+    out.centre = centre;
+    out.scale = scale;
+    out.columns.resize(count, 6);
+    out.known.resize(hasKnown() ? count : 0, 12);
+    RNG rng(0x9e3779b9);  // not every k-th: points often come in rows of a grid
+    for (int k = 0; k < count; ++k) {
+        const int64 first = static_cast<int64>(k) * size() / count, end = static_cast<int64>(k + 1) * size() / count;
+        const int i = rng.uniform(static_cast<int>(first), static_cast<int>(end));
+        out.columns.row(k) = columns.row(i);
+        if (hasKnown())
+            out.known.row(k) = known.row(i);
+    }
+    out.prepare(Vector3d::Zero());
+    return out;
 }
 
 PointArrays Correspondences::arrays() const
@@ -91,18 +97,21 @@ Matrix3d Correspondences::knownAt(int i, int first) const
     return symmetric(entries.data());
 }
 
+bool Correspondences::finite() const
+{
+    // Sums of squares are finite for anything below 1e150 and not for NaN and infinity.
+    return std::isfinite(scale) && std::isfinite(sums.ray2) && std::isfinite(sums.inverse2);
+}
+
 bool Correspondences::degenerate() const
 {
-    if (!(scale > 0) || !std::isfinite(scale))
+    if (!(scale > 0))
         return true;
-    const auto points = columns.leftCols<3>();
-    const Vector3d spread = Eigen3d(Matrix3d(points.transpose() * points), Eigen::EigenvaluesOnly).eigenvalues();
+    const Vector3d spread = Eigen3d(symmetric(sums.scatter), Eigen::EigenvaluesOnly).eigenvalues();
     // Rounding of coordinates far from the origin looks like spread too.
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * centre.norm() / scale;
     const double line = std::max(COLLINEAR, rounding);
-    const double widest =
-        (columns.rightCols<3>().rowwise() - columns.row(0).tail<3>()).rowwise().squaredNorm().maxCoeff();
-    return spread(1) <= line * line * spread(2) || widest <= PARALLEL * PARALLEL;
+    return spread(1) <= line * line * spread(2) || sums.apart2 <= PARALLEL * PARALLEL;
 }
 
 Pose Correspondences::toObject(const Pose& normalised) const

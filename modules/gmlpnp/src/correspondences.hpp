@@ -19,11 +19,15 @@ X = R p + t = scale (R p' + t'),  so  t = scale t' - R centre,  delta = scale de
 class Correspondences
 {
 public:
-    /** Both N x 3; rays need not be unit. Inputs must be finite (see finite()).
+    /** Both N x 3; rays need not be unit. Of what is not finite() nothing else may be asked.
     Known covariances of each point, N x 9 or empty: of the object points, object frame, length^2, and of the rays,
     camera frame, rad^2. */
     CV_EXPORTS Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
                                const Mat_<double>& objectCovariances = {}, const Mat_<double>& rayCovariances = {});
+
+    /** `count` of the points, one drawn from each stretch of the caller's order (always the same ones), with the centre
+    and the scale of all: poses and noises of the part are those of the whole. */
+    CV_EXPORTS Correspondences part(int count) const;
 
     int size() const { return static_cast<int>(columns.rows()); }
     /** For the kernels; valid as long as this object. */
@@ -35,6 +39,9 @@ public:
     Matrix3d knownObject(int i) const { return knownAt(i, 0); }
     Matrix3d knownRay(int i) const { return knownAt(i, 6); }
 
+    /** Whether every point and ray was finite and no ray zero. */
+    CV_EXPORTS bool finite() const;
+
     /** Whether no pose can follow: points on one line or at one place, or rays all in one direction. */
     CV_EXPORTS bool degenerate() const;
 
@@ -45,16 +52,16 @@ public:
     double scale;  //!< root mean square distance of the points from their centre, the caller's length
 
 private:
+    Correspondences() = default;
+    void prepare(const Vector3d& origin);
     CV_EXPORTS Matrix3d knownAt(int i, int first) const;
 
     Eigen::Matrix<double, Eigen::Dynamic, 6> columns;  // px py pz mx my mz
     // Entries 0..5 (xx xy xz yy yz zz) of the known object covariance, 6..11 of the known ray covariance; no rows:
     // none.
     Eigen::Matrix<double, Eigen::Dynamic, 12> known;
+    ColumnSums sums;  // the scatter in units of scale^2
 };
-
-/** Whether every number is finite and no ray is zero. */
-CV_EXPORTS bool finite(const Mat_<double>& objectPoints, const Mat_<double>& rays);
 
 }  // namespace detail
 }  // namespace gmlpnp

@@ -83,6 +83,11 @@ bool isIsotropic(const Noise& noise)
     return isScalar(noise.Sigma) && isScalar(noise.Gamma);
 }
 
+LeverArm leverArmOf(NoiseKind kind)
+{
+    return kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED;
+}
+
 }  // namespace
 
 Estimate alternate(const Correspondences& data, const Pose& start, const Noise& noise, NoiseKind kind,
@@ -91,8 +96,7 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
     const int n = data.size();
     const bool isotropicStart = isIsotropic(noise);
     std::vector<double> c(stopping.robust ? n : 0);
-    PassOptions options{kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED, NO_PRODUCTS,
-                        stopping.robust ? c.data() : nullptr};
+    PassOptions options{leverArmOf(kind), NO_PRODUCTS, stopping.robust ? c.data() : nullptr};
     const auto pass = [&](const Pose& pose, const Noise& at) { return rayPass(data, pose, at, options); };
     Estimate now;
     now.pose = start;
@@ -129,6 +133,34 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
     }
     return now;
 }
+
+namespace {
+
+// The estimate over all points from what `size` of them gave. The noise is known so well by then that one update and
+// one step of the pose end it. A first step longer than chance can explain says that the part did not stand for all.
+Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, const Stopping& stopping)
+{
+    const NoiseKind kind = ofPart.kind;
+    PassOptions options{leverArmOf(kind), productsFor(kind), nullptr};
+    Estimate now = ofPart;
+    now.sums = rayPass(data, now.pose, now.noise, options);
+    const Vector6d xi = gaussNewtonStep(now.sums);
+    constexpr double UNLIKELY = 60;  // g^T H^-1 g is n / size times chi-squared of 6 degrees of freedom
+    if (!(std::abs(now.sums.g.dot(xi)) <= UNLIKELY * data.size() / size))
+        return alternate(data, now.pose, now.noise, kind, stopping);
+    now.pose = perturbed(now.pose, xi);
+    now.rounds++;
+    if (kind == NoiseKind::PUBLISHED)
+        return now;
+    now.noise = options.products ? scoredNoise(kind, now.noise, now.sums, ofPart.pose.R)
+                                 : updatedNoise(kind, now.noise, now.sums, ofPart.pose.R, data.size());
+    now.sums = rayPass(data, now.pose, now.noise);
+    now.pose = perturbed(now.pose, gaussNewtonStep(now.sums));
+    now.rounds++;
+    return now;
+}
+
+}  // namespace
 
 Pose isotropicPose(const Correspondences& data, const Pose& start)
 {
@@ -269,12 +301,15 @@ Noise inShapeOf(const Estimate& other, double meanDepth2, const IsotropicNoise& 
 }  // namespace
 
 Estimate estimatePublished(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
-                           const KnownNoise& Gamma, const Stopping& stopping)
+                           const KnownNoise& Gamma, const Stopping& stopping, const Correspondences* part)
 {
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
     const Noise noise{Sigma ? usable(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero()), 0};
-    return alternate(data, start, noise, Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED, stopping);
+    const NoiseKind kind = Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED;
+    if (!part)
+        return alternate(data, start, noise, kind, stopping);
+    return overAll(data, alternate(*part, start, noise, kind, stopping), part->size(), stopping);
 }
 
 namespace {
@@ -293,10 +328,23 @@ Estimate estimateOther(const Correspondences& data, const Pose& start, const Kno
     return averaged(data, rivals.data(), 2, stopping.evaluate);
 }
 
+// Those that the part has not ruled out, over all points; how many.
+int overAll(const Correspondences& data, Rival* rivals, int count, int size, const Stopping& stopping)
+{
+    double best = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < count; ++k)
+        best = std::min(best, rivals[k].L());
+    int kept = 0;
+    for (int k = 0; k < count; ++k)
+        if (std::exp(best - rivals[k].L()) > NEGLIGIBLE)
+            rivals[kept++] = {overAll(data, rivals[k].estimate, size, stopping), rivals[k].penalty};
+    return kept;
+}
+
 }  // namespace
 
 Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
-                          const KnownNoise& Gamma, const Stopping& stopping)
+                          const KnownNoise& Gamma, const Stopping& stopping, const Correspondences* part)
 {
     if (Sigma && Gamma)
         return alternate(data, start, {usable(*Sigma), *Gamma, 0}, NoiseKind::FIXED, stopping);
@@ -305,7 +353,8 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
     if (Sigma || Gamma)
         return estimateOther(data, start, Sigma, Gamma, stopping);
 
-    const IsotropicSplit split = splitResiduals(data, start);
+    const Correspondences& fitted = part ? *part : data;
+    const IsotropicSplit split = splitResiduals(fitted, start);
     const Race race = contenders(split);
     std::array<Rival, 3> rivals;
     Stopping fitting = stopping;
@@ -316,10 +365,11 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
         const Noise noise = k == 0 ? isotropic(next.start.a, next.start.b)
                                    : inShapeOf(rivals[k - 1].estimate, split.meanDepth2, next.start);
         const Pose& from = k == 0 ? start : rivals[k - 1].estimate.pose;
-        rivals[k] = {alternate(data, from, noise, next.kind, fitting), next.penalty};
+        rivals[k] = {alternate(fitted, from, noise, next.kind, fitting), next.penalty};
         rivals[k].estimate.evidence = race.evidence;
     }
-    return averaged(data, rivals.data(), race.count, stopping.evaluate);
+    const int count = part ? overAll(data, rivals.data(), race.count, part->size(), fitting) : race.count;
+    return averaged(data, rivals.data(), count, stopping.evaluate);
 }
 
 }  // namespace detail

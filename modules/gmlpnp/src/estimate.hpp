@@ -52,15 +52,21 @@ CV_EXPORTS Pose isotropicPose(const Correspondences& data, const Pose& start);
 /** A known noise in the solver's units; none: estimated. */
 using KnownNoise = std::optional<Matrix3d>;
 
+// Of many points a part finds the kind of noise and most of the way to its covariance and to the pose: with a `part`
+// (Correspondences::part) the alternation runs on that, one or two passes over all points end it, and the sums are
+// those before the last step unless Stopping::evaluate asks for others.
+
 /** Algorithm 1 of the paper from a pose of isotropic noise. With a known Sigma its Proposition 1 (GMLPnP*). Gamma is
 zero unless given. */
 CV_EXPORTS Estimate estimatePublished(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
-                                      const KnownNoise& Gamma, const Stopping& stopping);
+                                      const KnownNoise& Gamma, const Stopping& stopping,
+                                      const Correspondences* part = nullptr);
 
 /** Marginal likelihood over pose, Sigma and Gamma, from a pose of isotropic noise. Object noise, bearing noise and both
 are fitted; the noise is that of the likeliest, the pose the mean over all three by their evidence. */
 CV_EXPORTS Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
-                                     const KnownNoise& Gamma, const Stopping& stopping);
+                                     const KnownNoise& Gamma, const Stopping& stopping,
+                                     const Correspondences* part = nullptr);
 
 }  // namespace detail
 }  // namespace gmlpnp

@@ -55,9 +55,18 @@ struct ScaledProduct
 struct PassSums
 {
     double Hpp[6]{}, Hpd[9]{}, Hdd[6]{}, Zo[6]{}, Go[6]{}, Zb[6]{}, Gb[6]{}, gp[3]{}, gd[3]{}, c{}, c2{};
-    double QQ[21]{};              //!< sum of Q_a Q_b or s^4 Q_a Q_b, a <= b of xx xy xz yy yz zz
+    double QQ[21]{};  //!< of `inProducts` points: sum of Q_a Q_b or s^4 Q_a Q_b, a <= b of xx xy xz yy yz zz
+    int inProducts{};
     ScaledProduct D, tailed;      //!< product of D, of 1 + c / nu
     unsigned long long behind{};  //!< points with s < 0
+};
+
+/** What is seen of the points once centred, and of the rays. */
+struct ColumnSums
+{
+    double scatter[6]{};        //!< sum p p^T
+    double ray2{}, inverse2{};  //!< sum |m|^2 and 1 / |m|^2 before they are made unit
+    double apart2{};            //!< sum |m_i - m_0|^2 of the unit rays
 };
 
 /** Moments of Q = I - m m^T: sum Q, sum p_a Q, and sum p_a p_b Q for ab = xx xy xz yy yz zz. */
@@ -78,6 +87,8 @@ struct LineSums
 struct RayKernels
 {
     const char* name;
+    /** Takes `centre` off the points and makes the rays unit, in place; size > 0. */
+    void (*prepare)(double* const* point, double* const* ray, int size, const double* centre, ColumnSums& sums);
     void (*pass)(const PointArrays& data, const PassInput& input, PassSums& sums);
     void (*moments)(const PointArrays& data, MomentSums& sums);
     /** Points with s < 0 at a pose, R by rows and then t. */

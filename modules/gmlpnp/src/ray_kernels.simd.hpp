@@ -6,6 +6,7 @@
 // operators of the language apply to. Everything here is local to that file. The formulas are those of pointTerms(),
 // the readable twin.
 
+#include <cmath>
 #include <cstring>
 
 #include "ray_kernels.hpp"
@@ -125,6 +126,7 @@ struct Lanes<double>
     static GMLPNP_INLINE double spread(double x) { return x; }
     static GMLPNP_INLINE double sum(double x) { return x; }
     static GMLPNP_INLINE double product(double x) { return x; }
+    static GMLPNP_INLINE double squareRoot(double x) { return std::sqrt(x); }
     static GMLPNP_INLINE Bits sumBits(Bits b) { return b; }
     static GMLPNP_INLINE Bits bits(double x)
     {
@@ -152,6 +154,14 @@ template <class T>
 GMLPNP_INLINE Vec3<T> load3(const double* const* from, int i)
 {
     return {load<T>(from[0] + i), load<T>(from[1] + i), load<T>(from[2] + i)};
+}
+
+template <class T>
+GMLPNP_INLINE void store3(const Vec3<T>& v, double* const* to, int i)
+{
+    std::memcpy(to[0] + i, &v.x, sizeof v.x);
+    std::memcpy(to[1] + i, &v.y, sizeof v.y);
+    std::memcpy(to[2] + i, &v.z, sizeof v.z);
 }
 
 template <class T>
@@ -264,7 +274,7 @@ GMLPNP_INLINE Sym3<T> rotated(const Vec3<T> (&R)[3], const Sym3<T>& C)
     return {dot(R[0], c0), dot(R[0], c1), dot(R[0], c2), dot(R[1], c1), dot(R[1], c2), dot(R[2], c2)};
 }
 
-template <class T, int FEATURES>
+template <class T>
 struct PassState
 {
     explicit GMLPNP_INLINE PassState(const PassInput& in)
@@ -284,9 +294,9 @@ struct PassState
     const bool ofBearing;
 };
 
-template <class T, int FEATURES>
-GMLPNP_INLINE T addPoint(const PassState<T, FEATURES>& at, const Vec3<T>& p, const Vec3<T>& m,
-                         const Sym3<T>& knownObject, const Sym3<T>& knownRay, Accumulator<T>& sums)
+template <int FEATURES, class T>
+GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>& m, const Sym3<T>& knownObject,
+                         const Sym3<T>& knownRay, Accumulator<T>& sums)
 {
     const Vec3<T> X = transformed(at.R, at.t, p);
     const Sym3<T> M = outer(m);
@@ -341,11 +351,17 @@ GMLPNP_INLINE T addPoint(const PassState<T, FEATURES>& at, const Vec3<T>& p, con
     return c;
 }
 
+// The products steer the scoring only: a quarter of the points tells enough. Every fourth group of four.
+GMLPNP_INLINE bool inProducts(int i)
+{
+    return i % 16 < 4;
+}
+
 // Points [first, last), a whole number of lanes.
 template <class T, int FEATURES>
 void addRange(const PointArrays& data, const PassInput& in, int first, int last, PassSums& out)
 {
-    const PassState<T, FEATURES> at(in);
+    const PassState<T> at(in);
     Accumulator<T> sums;
     for (int i = first; i < last; i += Lanes<T>::COUNT) {
         Sym3<T> knownObject{}, knownRay{};
@@ -353,7 +369,10 @@ void addRange(const PointArrays& data, const PassInput& in, int first, int last,
             knownObject = load6<T>(data.known, i);
             knownRay = load6<T>(data.known + 6, i);
         }
-        const T c = addPoint(at, load3<T>(data.point, i), load3<T>(data.ray, i), knownObject, knownRay, sums);
+        const Vec3<T> p = load3<T>(data.point, i), m = load3<T>(data.ray, i);
+        const T c = (FEATURES & PRODUCTS) != 0 && !inProducts(i)
+                        ? addPoint<FEATURES & ~PRODUCTS>(at, p, m, knownObject, knownRay, sums)
+                        : addPoint<FEATURES>(at, p, m, knownObject, knownRay, sums);
         if (in.c)
             std::memcpy(in.c + i, &c, sizeof c);
     }
@@ -401,12 +420,49 @@ void pass(const PointArrays& data, const PassInput& in, PassSums& out)
     for (double entry : in.Gamma)
         bearing = bearing || entry != 0;
     out = PassSums();
+    out.inProducts = data.size / 16 * 4 + (data.size % 16 < 4 ? data.size % 16 : 4);
     if (data.known[0])
         passWith<T, KNOWN>(data, in, out);
     else if (bearing)
         passWith<T, BEARING_NOISE>(data, in, out);
     else
         passWith<T, 0>(data, in, out);
+}
+
+template <class T>
+void prepareRange(double* const* point, double* const* ray, int first, int last, const double* centre,
+                  const double* firstRay, ColumnSums& out)
+{
+    const Vec3<T> c = spread3<T>(centre), m0 = spread3<T>(firstRay);
+    Sym3<T> scatter{};
+    T ray2{}, inverse2{}, apart2{};
+    for (int i = first; i < last; i += Lanes<T>::COUNT) {
+        const Vec3<T> given = load3<T>(point, i), p = {given.x - c.x, given.y - c.y, given.z - c.z};
+        store3(p, point, i);
+        scatter += outer(p);
+        const Vec3<T> along = load3<T>(ray, i);
+        const T length2 = dot(along, along);
+        const Vec3<T> m = 1. / Lanes<T>::squareRoot(length2) * along, d = {m.x - m0.x, m.y - m0.y, m.z - m0.z};
+        store3(m, ray, i);
+        ray2 += length2;
+        inverse2 += 1. / length2;
+        apart2 += dot(d, d);
+    }
+    addTo(out.scatter, scatter);
+    out.ray2 += Lanes<T>::sum(ray2);
+    out.inverse2 += Lanes<T>::sum(inverse2);
+    out.apart2 += Lanes<T>::sum(apart2);
+}
+
+template <class T>
+void prepare(double* const* point, double* const* ray, int size, const double* centre, ColumnSums& out)
+{
+    const int whole = size - size % Lanes<T>::COUNT;
+    const Vec3<double> along = load3<double>(ray, 0), m0 = 1 / std::sqrt(dot(along, along)) * along;
+    const double firstRay[3] = {m0.x, m0.y, m0.z};
+    out = ColumnSums();
+    prepareRange<T>(point, ray, 0, whole, centre, firstRay, out);
+    prepareRange<double>(point, ray, whole, size, centre, firstRay, out);
 }
 
 template <class T>

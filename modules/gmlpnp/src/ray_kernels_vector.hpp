@@ -22,6 +22,12 @@ struct Lanes<Doubles>
     static GMLPNP_INLINE Doubles spread(double x) { return x - Doubles{}; }
     static GMLPNP_INLINE Words bits(Doubles x) { return reinterpret_cast<Words>(x); }
     static GMLPNP_INLINE Doubles number(Words b) { return reinterpret_cast<Doubles>(b); }
+    static GMLPNP_INLINE Doubles squareRoot(Doubles x)
+    {
+        for (int k = 0; k < COUNT; ++k)  // one instruction, as the build says that nobody reads errno
+            x[k] = std::sqrt(x[k]);
+        return x;
+    }
     static GMLPNP_INLINE double sum(Doubles x)
     {
         double total = 0;

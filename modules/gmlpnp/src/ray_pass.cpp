@@ -102,7 +102,7 @@ RaySums assembled(const PassSums& sums, const PassInput& input, int n)
     out.H.bottomLeftCorner<3, 3>() = out.H.topRightCorner<3, 3>().transpose();
     out.g.head<3>() = Eigen::Map<const Vector3d>(sums.gp);
     out.g.tail<3>() = Eigen::Map<const Vector3d>(sums.gd);
-    out.QQ = symmetric6(sums.QQ);
+    out.QQ = n / static_cast<double>(sums.inProducts) * symmetric6(sums.QQ);
     out.c = sums.c;
     out.c2 = sums.c2;
     out.misfit = input.tail > 0 ? 0.5 * (1 / input.tail + 2) * logarithm(sums.tailed) : 0.5 * sums.c;

@@ -88,9 +88,9 @@ Status runRansac(const Input& input, const Measure& measure, const Options& opti
         return STATUS_NOT_FINITE;
     if (input.observations.points.rows < 4)
         return STATUS_TOO_FEW_POINTS;
-    if (!finite(input.observations.points, input.observations.rays))
-        return STATUS_NOT_FINITE;
     const Correspondences data(input.observations.points, input.observations.rays);
+    if (!data.finite())
+        return STATUS_NOT_FINITE;
     if (data.degenerate())
         return STATUS_DEGENERATE;
     const std::optional<Consensus> consensus =

@@ -17,18 +17,6 @@ namespace {
 
 using namespace detail;
 
-bool solveOne(const Input& input, const Options& options, Result& result)
-{
-    Status status;
-    std::vector<Solution> solutions;
-    if (!run(input, options, status, solutions)) {
-        result.status = status;
-        return false;
-    }
-    result = toResult(solutions.front(), status, input);
-    return true;
-}
-
 int solveEach(const Input& input, Options options, std::vector<Result>& results)
 {
     Status status;

@@ -72,18 +72,53 @@ TEST(Gmlpnp_Correspondences, finiteSeesEveryBadNumber)
 {
     cv::RNG rng = testRng();
     const Scene scene = paperScene(rng, 5, 0.1, 1);
-    EXPECT_TRUE(finite(scene.objectPoints, scene.rays));
+    EXPECT_TRUE(Correspondences(scene.objectPoints, scene.rays).finite());
     for (double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
         for (int k = 0; k < 3; ++k) {
             cv::Mat_<double> points = scene.objectPoints.clone(), rays = scene.rays.clone();
             points(4, k) = bad;
             rays(3, k) = bad;
-            EXPECT_FALSE(finite(points, scene.rays));
-            EXPECT_FALSE(finite(scene.objectPoints, rays));
+            EXPECT_FALSE(Correspondences(points, scene.rays).finite());
+            EXPECT_FALSE(Correspondences(scene.objectPoints, rays).finite());
         }
     cv::Mat_<double> zeroRay = scene.rays.clone();
     zeroRay.row(2) = 0;
-    EXPECT_FALSE(finite(scene.objectPoints, zeroRay));
+    EXPECT_FALSE(Correspondences(scene.objectPoints, zeroRay).finite());
+}
+
+TEST(Gmlpnp_Correspondences, aPartIsOfTheWholeAndSpreadOverIt)
+{
+    cv::RNG rng = testRng();
+    const Scene scene = paperScene(rng, 1000, 0.1, 1);
+    const Correspondences all(scene.objectPoints, scene.rays), part = all.part(300);
+    ASSERT_EQ(300, part.size());
+    EXPECT_EQ(all.scale, part.scale);
+    EXPECT_EQ(all.centre, part.centre);
+    EXPECT_TRUE(part.finite());
+    EXPECT_FALSE(part.degenerate());
+    int i = 0;  // each of its points is one of all, in their order, at most two stretches behind the one before
+    for (int k = 0; k < part.size(); ++k, ++i) {
+        const int first = i;
+        while (i < all.size() && all.pointAt(i) != part.pointAt(k))
+            ++i;
+        ASSERT_LT(i, all.size());
+        EXPECT_LE(i - first, 7);
+        EXPECT_LT((all.rayAt(i) - part.rayAt(k)).norm(), 1e-15);
+    }
+}
+
+TEST(Gmlpnp_Correspondences, aPartKnowsTheCovariancesOfItsPoints)
+{
+    cv::RNG rng = testRng();
+    const Scene scene = paperScene(rng, 100, 0.1, 1);
+    cv::Mat_<double> known(100, 9, 0.0);
+    for (int i = 0; i < 100; ++i)
+        known(i, 0) = known(i, 4) = known(i, 8) = scene.objectPoints(i, 0) * scene.objectPoints(i, 0);
+    const Correspondences all(scene.objectPoints, scene.rays, known), part = all.part(30);
+    for (int k = 0; k < part.size(); ++k) {
+        const double x = part.pointAt(k).x() + part.centre.x() / part.scale;
+        EXPECT_NEAR(x * x, part.knownObject(k)(2, 2), 1e-12);
+    }
 }
 
 }  // namespace

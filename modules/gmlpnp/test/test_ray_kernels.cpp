@@ -112,7 +112,7 @@ TEST(Gmlpnp_RayKernels, passesAgreeWithTheScalarOne)
             }
 }
 
-// The sums of products against the terms of each point.
+// The sums of products against the terms of the points that are asked for them, in proportion.
 TEST(Gmlpnp_RayKernels, productsAreThoseOfQ)
 {
     cv::RNG rng = testRng();
@@ -120,18 +120,46 @@ TEST(Gmlpnp_RayKernels, productsAreThoseOfQ)
     const Pose pose = somePose(rng);
     const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), 0};
     Matrix6d object = Matrix6d::Zero(), bearing = Matrix6d::Zero();
-    for (int i = 0; i < data.size(); ++i) {
+    const double share = 8. / data.size();
+    for (int i : {0, 1, 2, 3, 16, 17, 18, 19}) {
         const PointTerms at = pointTerms(data, i, pose, noise);
         Vector6d q;
         q << at.Q(0, 0), at.Q(0, 1), at.Q(0, 2), at.Q(1, 1), at.Q(1, 2), at.Q(2, 2);
-        object += q * q.transpose();
-        bearing += std::pow(at.s, 4) * q * q.transpose();
+        object += 1 / share * q * q.transpose();
+        bearing += 1 / share * std::pow(at.s, 4) * q * q.transpose();
     }
     const auto sumsOf = [&](Products products) {
         return rayPass(data, pose, noise, {LeverArm::CORRECTED, products, nullptr}).QQ;
     };
     EXPECT_TRUE(matrixNear(sumsOf(OF_OBJECT), object, 1e-9 * object.norm()));
     EXPECT_TRUE(matrixNear(sumsOf(OF_BEARING), bearing, 1e-9 * bearing.norm()));
+}
+
+TEST(Gmlpnp_RayKernels, preparedColumnsAreCentredAndUnit)
+{
+    cv::RNG rng = testRng();
+    for (const RayKernels* kernels : availableKernels())
+        for (int n : SIZES) {
+            SCOPED_TRACE(testing::Message() << kernels->name << ", " << n << " points");
+            Eigen::MatrixXd points(n, 3), rays(n, 3);
+            for (int i = 0; i < n; ++i) {
+                points.row(i) = gaussian3(rng).transpose();
+                rays.row(i) = 3 * gaussian3(rng).transpose();
+            }
+            const Vector3d centre = gaussian3(rng);
+            auto centred = points, unit = rays;
+            double* point[3] = {&centred(0, 0), &centred(0, 1), &centred(0, 2)};
+            double* ray[3] = {&unit(0, 0), &unit(0, 1), &unit(0, 2)};
+            ColumnSums sums;
+            kernels->prepare(point, ray, n, centre.data(), sums);
+
+            EXPECT_TRUE(near(centred, Eigen::MatrixXd(points.rowwise() - centre.transpose())));
+            EXPECT_TRUE(near(unit, Eigen::MatrixXd(rays.rowwise().normalized())));
+            EXPECT_TRUE(near(symmetric(sums.scatter), Matrix3d(centred.transpose() * centred)));
+            EXPECT_NEAR(sums.ray2, rays.squaredNorm(), 1e-11 * n);
+            EXPECT_NEAR(sums.inverse2, rays.rowwise().squaredNorm().cwiseInverse().sum(), 1e-11 * sums.inverse2);
+            EXPECT_NEAR(sums.apart2, (unit.rowwise() - unit.row(0)).squaredNorm(), 1e-11 * n);
+        }
 }
 
 TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)

@@ -167,6 +167,14 @@ public:
     @return whether the pixel has a ray. */
     virtual bool unprojectPoint(const Point2d& pixel, Vec3d& ray, Matx32d* jacobian = nullptr) const = 0;
 
+    /** @brief The unit rays of many pixels; what unproject() calls. It asks unprojectPoint() for each: override it
+    where a lens knows a faster way.
+    @param pixels image points, px.
+    @param count how many.
+    @param rays unit rays, camera frame; zero where there is none.
+    @param valid 255 where the pixel has a ray, 0 where it has none. */
+    virtual void unprojectPoints(const Point2d* pixels, int count, Vec3d* rays, uchar* valid) const;
+
     /** @brief The pixel of one point of the camera frame; the length of the point does not matter.
     @param point point or ray, camera frame.
     @param pixel image point, px; untouched where the lens does not see the point.
