@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 
+#include "cholesky.hpp"
 #include "estimate.hpp"
 
 namespace cv {
@@ -16,8 +17,8 @@ Vector6d gaussNewtonStep(const RaySums& sums)
 {
     const UnitDiagonal H(sums.H);
     const Vector6d g = H.scale.cwiseProduct(sums.g);
-    const Eigen::LLT<Matrix6d> llt(H.matrix);
-    const Vector6d xi = llt.info() == Eigen::Success ? Vector6d(llt.solve(-g)) : Vector6d(H.matrix.ldlt().solve(-g));
+    const CholeskyFactor<6> cholesky(H.matrix);
+    const Vector6d xi = cholesky.positiveDefinite() ? cholesky.solve(-g) : Vector6d(H.matrix.ldlt().solve(-g));
     return H.scale.cwiseProduct(xi);
 }
 

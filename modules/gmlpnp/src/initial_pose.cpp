@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 
+#include "cholesky.hpp"
 #include "initial_pose.hpp"
 
 namespace cv {
@@ -180,21 +181,23 @@ void searchMinima(const Correspondences& data, const RotationCost& cost, std::ve
 
 namespace {
 
-// The smallest eigenvalue of Omega and its unit eigenvector, by inverse iteration.
+// The smallest eigenvalue of Omega and its unit eigenvector, by inverse iteration; none of what rounding has ruined.
 struct LeastEigen
 {
     Vector9d vector;
     double value;
 };
 
-LeastEigen leastEigen(const Matrix9d& Omega)
+std::optional<LeastEigen> leastEigen(const Matrix9d& Omega)
 {
     constexpr double REGULAR = 1e-13;  // of the trace: exact data leave an eigenvalue of zero
     constexpr int ITERATIONS = 3;
-    const Eigen::LLT<Matrix9d> llt(Omega + REGULAR * Omega.trace() * Matrix9d::Identity());
+    const CholeskyFactor<9> cholesky(Omega + REGULAR * Omega.trace() * Matrix9d::Identity());
+    if (!cholesky.positiveDefinite())
+        return std::nullopt;
     LeastEigen least{Vector9d::LinSpaced(0.5, 1.5), 0};  // any vector will do
     for (int k = 0; k < ITERATIONS; ++k)
-        least.vector = llt.solve(least.vector).normalized();
+        least.vector = cholesky.solve(least.vector).normalized();
     least.value = least.vector.dot(Omega.lazyProduct(least.vector));
     return least;
 }
@@ -225,20 +228,20 @@ bool oneCapHoldsAll(const Matrix9d& Omega, const LeastEigen& least, double most)
     const double lambda = BELOW * least.value, tau = lambda + (most - 3 * lambda) / CAP;
     const Matrix9d bounded =
         Omega + (tau - lambda) * least.vector * least.vector.transpose() - tau * Matrix9d::Identity();
-    return Eigen::LLT<Matrix9d>(bounded).info() == Eigen::Success;
+    return CholeskyFactor<9>(bounded).positiveDefinite();
 }
 
 // The minimum where it is the only one of its cost: most scenes that are not flat.
 std::optional<PoseCandidate> certifiedMinimum(const Correspondences& data, const RotationCost& cost, double costRatio)
 {
-    const LeastEigen least = leastEigen(cost.Omega);
-    const std::optional<Matrix3d> start = rotationFrom(least.vector);
+    const std::optional<LeastEigen> least = leastEigen(cost.Omega);
+    const std::optional<Matrix3d> start = least ? rotationFrom(least->vector) : std::nullopt;
     if (!start)
         return std::nullopt;
     const PoseCandidate found = descend(cost, *start);
     // Eigenvalues below the rounding of Omega cannot be told from zero.
     const double rounding = 1e-12 * cost.Omega.trace();
-    if (!oneCapHoldsAll(cost.Omega, least, costRatio * found.cost + rounding) || !inFront(data, found.pose))
+    if (!oneCapHoldsAll(cost.Omega, *least, costRatio * found.cost + rounding) || !inFront(data, found.pose))
         return std::nullopt;
     return found;
 }

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 
+#include "cholesky.hpp"
 #include "noise_model.hpp"
 
 // Fisher scoring of Sigma or of Gamma (doc/theory.md, section 4): with  dL/dC = (G - Z) / 2  and the expected curvature
@@ -78,7 +79,9 @@ Matrix3d scored(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, const M
     const double share = (1 + 2 * tail) / (1 + 4 * tail);
     const Prior pull = prior(C, SHRINKAGE);
     const Matrix6d F = share * curvature(QQ) + pull.curvature;
-    const Vector6d step = F.ldlt().solve(0.5 * againstUnits(Z - G) + pull.score);
+    const Vector6d score = 0.5 * againstUnits(Z - G) + pull.score;
+    const CholeskyFactor<6> cholesky(F);
+    const Vector6d step = cholesky.positiveDefinite() ? cholesky.solve(score) : Vector6d(F.ldlt().solve(score));
     return moved(C, symmetric(step.data()));
 }
 
