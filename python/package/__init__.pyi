@@ -1,6 +1,6 @@
 """Types of the module gmlpnp; its docstrings give shapes and units."""
 
-from typing import Optional, Tuple, Union, overload
+from typing import Iterable, Optional, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -171,6 +171,9 @@ def solveAll(
 def solveRays(
     objectPoints: ArrayLike, rays: ArrayLike, params: Optional[Params] = ...
 ) -> Tuple[bool, Result]: ...
+def solveBatch(
+    objectPoints: Iterable[ArrayLike], rays: Iterable[ArrayLike], params: Optional[Params] = ...
+) -> Tuple[int, Tuple[Result, ...]]: ...
 @overload
 def solveRansac(
     objectPoints: ArrayLike,

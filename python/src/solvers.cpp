@@ -47,6 +47,15 @@ params: a Params, or None.
 retval: True with a finite pose; False where the data give none, result.status says why.
 result: a Result.)";
 
+const char* const kSolveBatch = R"(solveBatch(objectPoints, rays[, params]) -> retval, results
+
+Many independent problems at once, on all cores; the results are those of solveRays(), bit for bit.
+objectPoints: the points of each problem, object frame: a sequence of arrays as solveRays() takes them.
+rays: the rays of each problem, camera frame: as many arrays.
+params: a Params for all, without objectCovariances, or None.
+retval: how many problems have a pose.
+results: tuple of Result, one for each problem; without a pose, its status says why.)";
+
 //! A copy: `params` may change while other threads run.
 Params orDefault(const Params* params)
 {
@@ -112,6 +121,24 @@ py::tuple solveRays(const py::object& objectPoints, const py::object& rays, cons
     return py::make_tuple(solved, result);
 }
 
+py::tuple solveBatch(const py::iterable& objectPoints, const py::iterable& rays, const Params* params)
+{
+    std::vector<Input> owners;  // of the memory that is shared
+    std::vector<cv::Mat> points, directions;
+    const auto read = [&owners](const py::iterable& arrays, const char* name, std::vector<cv::Mat>& mats) {
+        for (const py::handle& each : arrays) {
+            owners.emplace_back(py::reinterpret_borrow<py::object>(each), name);
+            mats.push_back(owners.back().mat());
+        }
+    };
+    read(objectPoints, "objectPoints", points);
+    read(rays, "rays", directions);
+    const Params options = orDefault(params);
+    std::vector<Result> results;
+    const int count = withoutGil([&] { return cv::gmlpnp::solveBatch(points, directions, results, options); });
+    return py::make_tuple(count, tupleOf(results));
+}
+
 }  // namespace
 
 void addSolvers(py::module_& m)
@@ -124,6 +151,7 @@ void addSolvers(py::module_& m)
     m.def("solveAll", solveAllByMatrix, "objectPoints"_a, "imagePoints"_a, "cameraMatrix"_a, "distCoeffs"_a,
           "params"_a = none);
     m.def("solveRays", solveRays, "objectPoints"_a, "rays"_a, "params"_a = none, kSolveRays);
+    m.def("solveBatch", solveBatch, "objectPoints"_a, "rays"_a, "params"_a = none, kSolveBatch);
 }
 
 }  // namespace bindings

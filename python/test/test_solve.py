@@ -63,6 +63,20 @@ class Solve(PoseTestCase):
         self.assertTrue(retval)
         self.assertPose(result.rvec, result.tvec)
 
+    def test_batch(self):
+        rays = in_camera(POINTS)
+        retval, results = gmlpnp.solveBatch([POINTS, POINTS * [1, 0, 0], POINTS.tolist()], [rays] * 3)
+        self.assertEqual(2, retval)
+        self.assertEqual(
+            [gmlpnp.STATUS_CONVERGED, gmlpnp.STATUS_DEGENERATE, gmlpnp.STATUS_CONVERGED],
+            [result.status for result in results],
+        )
+        for result in (results[0], results[2]):
+            self.assertTrue(same_bits(result, gmlpnp.solveRays(POINTS, rays)[1]))
+        self.assertEqual((0, ()), gmlpnp.solveBatch([], []))
+        with self.assertRaisesRegex(gmlpnp.error, "problem 1.*rays"):
+            gmlpnp.solveBatch([POINTS] * 2, [rays, rays[:-1]])
+
     def test_all(self):
         camera = gmlpnp.CameraModel.pinhole(K, D)
         for arguments in ((POINTS, PIXELS, camera), (POINTS, PIXELS, K, D, gmlpnp.Params())):

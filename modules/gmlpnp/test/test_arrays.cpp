@@ -10,7 +10,6 @@
 namespace opencv_test {
 namespace {
 
-using camera::expectError;
 using gmlpnp::detail::matrixFrom;
 using gmlpnp::detail::pointsFrom;
 

@@ -5,10 +5,9 @@
 #ifndef OPENCV_TEST_GMLPNP_CAMERA_UTIL_HPP
 #define OPENCV_TEST_GMLPNP_CAMERA_UTIL_HPP
 
-#include "test_precomp.hpp"
+#include "expect_error.hpp"
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -49,27 +48,6 @@ inline std::vector<double> spaced(double low, double high, int count)
     for (int i = 0; i < count; ++i)
         values.push_back(low + (high - low) * i / (count - 1));
     return values;
-}
-
-// Error code of what `call` throws, with its message; 0 where it throws nothing.
-inline int errorCode(const std::function<void()>& call, std::string* message = nullptr)
-{
-    try {
-        call();
-    } catch (const Exception& e) {
-        if (message)
-            *message = e.err;
-        return e.code;
-    }
-    return 0;
-}
-
-// A call that must throw `code` and name `word` in its message.
-inline void expectError(int code, const std::string& word, const std::function<void()>& call)
-{
-    std::string message;
-    EXPECT_EQ(errorCode(call, &message), code) << word;
-    EXPECT_NE(message.find(word), std::string::npos) << "no \"" << word << "\" in: " << message;
 }
 
 // Derivative of the ray by the pixel from four evaluations per column; the error is of fourth order in step [px].

@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "expect_error.hpp"
 #include "scenes.hpp"
 
 namespace opencv_test {
@@ -415,6 +416,82 @@ TEST(Gmlpnp_Solve, sameInputSameBitsFromAnyThread)
         for (const Result& result : results)
             EXPECT_TRUE(identical(reference, result));
     }
+}
+
+TEST(Gmlpnp_Solve, aBatchIsItsProblemsOneByOne)
+{
+    cv::RNG rng = testRng();
+    std::vector<cv::Mat> points, rays;
+    for (int n : {50, 3, 6, 200, 1000, 20, 4}) {
+        const Scene scene = paperScene(rng, n, 0.1, 1);
+        points.push_back(scene.objectPoints);
+        rays.push_back(scene.rays);
+    }
+    points[5].col(2) = 0, points[5].col(1) = 0;  // a line
+    const int threads = cv::getNumThreads();
+    for (int method : METHODS)
+        for (int count : {1, 4}) {
+            cv::setNumThreads(count);
+            std::vector<Result> results(1);
+            EXPECT_EQ(5, cv::gmlpnp::solveBatch(points, rays, results, paramsOf(method)));
+            ASSERT_EQ(points.size(), results.size());
+            for (size_t k = 0; k < points.size(); ++k) {
+                Result alone;
+                cv::gmlpnp::solveRays(points[k], rays[k], alone, paramsOf(method));
+                EXPECT_TRUE(identical(alone, results[k])) << "problem " << k;
+            }
+            EXPECT_EQ(cv::gmlpnp::STATUS_TOO_FEW_POINTS, results[1].status);
+            EXPECT_EQ(cv::gmlpnp::STATUS_DEGENERATE, results[5].status);
+        }
+    cv::setNumThreads(threads);
+}
+
+TEST(Gmlpnp_Solve, aBatchTakesListsOfVectorsAndRefusesByName)
+{
+    const std::vector<cv::Point3f> points = {{0, 0, 3}, {1, 0, 4}, {0, 1, 5}, {1, 1, 3}, {-1, 0, 4}, {0, -1, 3}};
+    const std::vector<std::vector<cv::Point3f>> twice(2, points);
+    std::vector<Result> results;
+    EXPECT_EQ(2, cv::gmlpnp::solveBatch(twice, twice, results));
+    EXPECT_EQ(0, cv::gmlpnp::solveBatch(std::vector<cv::Mat>(), std::vector<cv::Mat>(), results));
+    EXPECT_TRUE(results.empty());
+
+    results.resize(1);
+    const std::vector<std::vector<cv::Point3f>> once(1, points), shorter = {points, {points[0], points[1]}};
+    expectError(cv::Error::StsAssert, "number of problems", [&] { cv::gmlpnp::solveBatch(twice, once, results); });
+    expectError(cv::Error::StsAssert, "problem 1: ", [&] { cv::gmlpnp::solveBatch(twice, shorter, results); });
+    Params params;
+    params.objectCovariances = cv::Mat::zeros(6, 9, CV_64F);
+    expectError(cv::Error::StsBadArg, "objectCovariances",
+                [&] { cv::gmlpnp::solveBatch(once, once, results, params); });
+    EXPECT_EQ(1u, results.size());
+}
+
+// Where only the pose is asked for, that of many points comes from a part of them and two passes over all: its mean
+// error must be that of the estimate from all of them, within what pairs of the same problems can tell.
+TEST(Gmlpnp_Solve, thePoseOfManyPointsIsAsGoodAsFromAllOfThem)
+{
+    cv::RNG rng = testRng();
+    constexpr int SCENES = 200;
+    for (int method : METHODS)
+        for (double sigma : {0., 0.01, 0.1, 0.5}) {
+            double all = 0, more = 0, more2 = 0;
+            for (int k = 0; k < SCENES; ++k) {
+                const Scene scene = paperScene(rng, 1000, sigma, 1);
+                const Result result = solved(scene.objectPoints, scene.rays, paramsOf(method));
+                cv::Vec3d rvec, tvec;
+                ASSERT_TRUE(cv::gmlpnp::solvePnP(scene.objectPoints, scene.imagePoints, paperCamera(), cv::noArray(),
+                                                 rvec, tvec, false, method));
+                const double error = rotationAngle(poseOf(result.rvec, result.tvec).R, scene.truth.R);
+                const double difference = rotationAngle(poseOf(rvec, tvec).R, scene.truth.R) - error;
+                all += error / SCENES;
+                more += difference / SCENES;
+                more2 += difference * difference / SCENES;
+            }
+            const double deviation = std::sqrt((more2 - more * more) / SCENES);
+            EXPECT_LT(more - 2.5 * deviation, 0.01 * all) << "method " << method << ", sigma " << sigma;
+            EXPECT_LT(2.5 * deviation, 0.1 * all) << "too few scenes to tell";
+            EXPECT_GT(more2, 0) << "the part was not used";
+        }
 }
 
 }  // namespace

@@ -162,6 +162,18 @@ CV_EXPORTS_W bool solve(InputArray objectPoints, InputArray imagePoints, InputAr
 CV_EXPORTS_W bool solveRays(InputArray objectPoints, InputArray rays, CV_OUT Result& result,
                             const Params& params = Params());
 
+/** @brief Many independent problems at once, one after the other on each core (cv::parallel_for_). The results are
+those of solveRays(), bit for bit, whatever the number of threads.
+@param objectPoints the points of each problem, object frame: a list of arrays as solveRays() takes them.
+@param rays the rays of each problem, camera frame: as many arrays.
+@param results one for each problem, in their order; where there is no pose, its Result::status says why and nothing
+else in it is set.
+@param params options of all of them; without objectCovariances, which belong to one problem.
+@return how many problems have a pose.
+@throws cv::Exception StsAssert or StsBadArg for misuse, naming the problem and the argument. */
+CV_EXPORTS_W int solveBatch(InputArrayOfArrays objectPoints, InputArrayOfArrays rays,
+                            CV_OUT std::vector<Result>& results, const Params& params = Params());
+
 /** @brief Every distinct pose that fits, best first: both poses of a small flat object, for instance.
 @param objectPoints N points, object frame.
 @param imagePoints N pixels.

@@ -110,6 +110,14 @@ class gmlpnp_test(NewOpenCVTests):
                 self.assertTrue(ok)
                 self.assert_pose(result.rvec, result.tvec)
 
+    def test_batch(self):
+        points, pixels = self.scene()
+        rays = cv.gmlpnp.CameraModel.pinhole(self.K, self.D).unproject(pixels)[0]
+        solved, results = cv.gmlpnp.solveBatch([points, points[:3]], [rays, rays[:3]])
+        self.assertEqual(1, solved)
+        self.assert_pose(results[0].rvec, results[0].tvec)
+        self.assertEqual(cv.gmlpnp.STATUS_TOO_FEW_POINTS, results[1].status)
+
     def test_ransac(self):
         points, pixels = self.scene(60)
         pixels[:20] = np.random.RandomState(1).uniform(0, 480, (20, 2))
