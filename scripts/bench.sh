@@ -5,9 +5,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 if [[ "${1:-}" == --help ]]; then
   cat <<'HELP'
-Usage: scripts/bench.sh [--times [Google Benchmark arguments...] | --ransac [--scale=1]]
+Usage: scripts/bench.sh [--times [Google Benchmark arguments...] | --batch | --ransac [--scale=1]]
 Builds into build/release and prints CPU times relative to SQPNP: medians of paired repetitions.
   --times    absolute times by Google Benchmark instead, e.g. --times --benchmark_filter=SQPNP
+  --batch    how much faster solveBatch is on several threads
   --ransac   RANSAC beside that of OpenCV instead (10 minutes): the tables of doc/ransac.md, which are replaced;
              with another --scale (share of the problems) they are only printed
 HELP
@@ -38,6 +39,10 @@ if [[ "${1:-}" == --ransac ]]; then
     { cat build/release/doc.md && echo && cat "$tables"; } >doc/ransac.md
   fi
   exit 0
+fi
+if [[ "${1:-}" == --batch ]]; then
+  printf '%s\n\n' "${heading%, one thread.}."
+  exec "$bench" --batch
 fi
 printf '%s\n\n' "$heading"
 "$bench" --ratios

@@ -121,11 +121,13 @@ py::tuple solveRays(const py::object& objectPoints, const py::object& rays, cons
     return py::make_tuple(solved, result);
 }
 
-py::tuple solveBatch(const py::iterable& objectPoints, const py::iterable& rays, const Params* params)
+py::tuple solveBatch(const py::object& objectPoints, const py::object& rays, const Params* params)
 {
     std::vector<Input> owners;  // of the memory that is shared
     std::vector<cv::Mat> points, directions;
-    const auto read = [&owners](const py::iterable& arrays, const char* name, std::vector<cv::Mat>& mats) {
+    const auto read = [&owners](const py::object& arrays, const char* name, std::vector<cv::Mat>& mats) {
+        if (!py::isinstance<py::iterable>(arrays))
+            CV_Error(cv::Error::StsBadArg, cv::format("'%s' must be a sequence of arrays", name));
         for (const py::handle& each : arrays) {
             owners.emplace_back(py::reinterpret_borrow<py::object>(each), name);
             mats.push_back(owners.back().mat());

@@ -73,6 +73,7 @@ class Solve(PoseTestCase):
         )
         for result in (results[0], results[2]):
             self.assertTrue(same_bits(result, gmlpnp.solveRays(POINTS, rays)[1]))
+        self.assertEqual(2, gmlpnp.solveBatch(np.stack([POINTS] * 2), np.stack([rays] * 2))[0])
         self.assertEqual((0, ()), gmlpnp.solveBatch([], []))
         with self.assertRaisesRegex(gmlpnp.error, "problem 1.*rays"):
             gmlpnp.solveBatch([POINTS] * 2, [rays, rays[:-1]])

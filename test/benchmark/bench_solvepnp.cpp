@@ -6,6 +6,7 @@
 //
 //   bench_solvepnp             absolute times, by Google Benchmark and its options
 //   bench_solvepnp --ratios    a Markdown table of times relative to SQPNP
+//   bench_solvepnp --batch     how much faster solveBatch is on several threads, by the clock on the wall
 //
 // The ratios come from paired measurements: within a repetition each method solves the same problems one after the
 // other, so that a change of the clock or a noisy neighbour meets all of them; the table shows the medians of the
@@ -180,6 +181,43 @@ void printRatios()
     }
 }
 
+// --- Batches ---
+
+void printBatch()
+{
+    const int count = 4000, n = 50;
+    std::vector<cv::Mat> points, rays;
+    for (int i = 0; i < count; ++i) {
+        const Problem problem = makeProblem(n, i);
+        cv::Mat directions;
+        cv::gmlpnp::CameraModel::pinhole(K)->unproject(problem.imagePoints, directions);
+        points.push_back(cv::Mat(problem.objectPoints, true));
+        rays.push_back(directions);
+    }
+    std::printf(
+        "%d problems of %d points, medians of %d paired repetitions.\n\n| threads | µs a problem | speed-up "
+        "|\n|--:|--:|--:|\n",
+        count, n, REPETITIONS);
+    const int most = cv::getNumberOfCPUs();
+    std::vector<std::vector<double>> seconds(most), speedUps(most);
+    for (int repetition = 0; repetition <= REPETITIONS; ++repetition)
+        for (int threads = 1; threads <= most; ++threads) {
+            cv::setNumThreads(threads);
+            std::vector<cv::gmlpnp::Result> results;
+            const int64 start = cv::getTickCount();
+            if (cv::gmlpnp::solveBatch(points, rays, results) != count)
+                throw std::runtime_error("solveBatch found not every pose");
+            const double time = static_cast<double>(cv::getTickCount() - start) / cv::getTickFrequency();
+            if (repetition == 0)  // warm-up
+                continue;
+            seconds[threads - 1].push_back(time);
+            speedUps[threads - 1].push_back(seconds[0].back() / time);
+        }
+    for (int threads = 1; threads <= most; ++threads)
+        std::printf("| %d | %.1f | %.2f |\n", threads, 1e6 * median(seconds[threads - 1]) / count,
+                    median(speedUps[threads - 1]));
+}
+
 // --- Absolute times ---
 
 void solveInTurn(benchmark::State& state, const Method& method)
@@ -210,6 +248,10 @@ try {
     cv::setNumThreads(1);
     if (argc == 2 && std::strcmp(argv[1], "--ratios") == 0) {
         printRatios();
+        return 0;
+    }
+    if (argc == 2 && std::strcmp(argv[1], "--batch") == 0) {
+        printBatch();
         return 0;
     }
     benchmark::Initialize(&argc, argv);
