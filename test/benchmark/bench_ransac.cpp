@@ -278,11 +278,35 @@ void runNoise(const Noise& noise, double scale, Tally& tally)
         }
 }
 
+// How often a pose is claimed where there is none: random points and random pixels.
+void printChance(double scale)
+{
+    std::printf("| n | poses claimed |\n|--:|--:|\n");
+    for (const int n : {5, 6, 8, 10, 20, 50, 200, 1000}) {
+        const int count = std::max(1, static_cast<int>(scale * (n <= 10 ? 4000 : n <= 200 ? 2000 : 300)));
+        int claimed = 0;
+        cv::RNG rng(static_cast<uint64>(n));
+        for (int k = 0; k < count; ++k) {
+            std::vector<cv::Point3d> points;
+            std::vector<cv::Point2d> pixels;
+            for (int i = 0; i < n; ++i) {
+                points.emplace_back(rng.uniform(-2., 2.), rng.uniform(-2., 2.), rng.uniform(-2., 2.));
+                pixels.emplace_back(rng.uniform(0., 640.), rng.uniform(0., 480.));
+            }
+            cv::Vec3d rvec, tvec;
+            claimed += cv::gmlpnp::solvePnPRansac(points, pixels, K, cv::noArray(), rvec, tvec);
+        }
+        std::printf("| %d | %d of %d |\n", n, claimed, count);
+        std::fflush(stdout);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 try {
-    const cv::CommandLineParser arguments(argc, argv, "{help||}{scale|1|share of the problems}");
+    const cv::CommandLineParser arguments(
+        argc, argv, "{help||}{scale|1|share of the problems}{chance||count the poses of data without one instead}");
     if (arguments.has("help")) {
         arguments.printMessage();
         return 0;
@@ -293,6 +317,10 @@ try {
         return 2;
     }
     cv::setNumThreads(1);
+    if (arguments.has("chance")) {
+        printChance(scale);
+        return 0;
+    }
     std::printf(
         "OpenCV %s; threshold %.0f px, confidence %.2f, at most %d iterations. Per method: right poses in %% (95 %% "
         "interval) · mean rotation error · mean translation error in %% · median time.\n",
