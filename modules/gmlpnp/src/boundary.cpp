@@ -109,7 +109,7 @@ Mat_<double> knownObject(const Params& params, int rows)
 {
     if (params.objectCovariances.empty())
         return {};
-    const Mat_<double> given = covarianceRows(params.objectCovariances, rows, {9}, "objectCovariances");
+    Mat_<double> given = covarianceRows(params.objectCovariances, rows, {9}, "objectCovariances");
     for (int i = 0; i < rows; ++i)
         checkCovariance(toEigen(given[i]), "objectCovariances", i);
     return given;

@@ -103,7 +103,7 @@ PoseCandidate descend(const RotationCost& cost, Matrix3d R)
 
 bool inFront(const Correspondences& data, const Pose& pose)
 {
-    double at[12];
+    double at[12]{};
     writePose(pose, at);
     return 2 * rayKernels().behind(data.arrays(), at) < data.size();
 }

@@ -92,7 +92,7 @@ struct Residuals
 Residuals residualsAt(const Correspondences& data, const Pose& pose)
 {
     Residuals out{Eigen::ArrayXd(data.size()), Eigen::ArrayXd(data.size())};
-    double at[12];
+    double at[12]{};
     writePose(pose, at);
     rayKernels().residuals(data.arrays(), at, out.x.data(), out.y.data());
     out.x = out.x.max(NOISE_FLOOR);

@@ -377,7 +377,7 @@ void addRange(const PointArrays& data, const PassInput& in, int first, int last,
             std::memcpy(in.c + i, &c, sizeof c);
     }
     addTo(out.Hpp, sums.Hpp);
-    for (int k = 0; k < 3; ++k)
+    for (size_t k = 0; k < 3; ++k)
         addTo(out.Hpd + 3 * k, sums.Hpd[k]);
     addTo(out.Hdd, (FEATURES & TAILS) != 0 ? sums.Hdd : sums.Go);
     addTo(out.Zo, sums.Zo);

@@ -11,8 +11,8 @@ namespace gmlpnp {
 namespace detail {
 namespace {
 
-typedef double Doubles __attribute__((vector_size(8 * GMLPNP_LANES)));
-typedef unsigned long long Words __attribute__((vector_size(8 * GMLPNP_LANES)));
+using Doubles __attribute__((vector_size(8 * GMLPNP_LANES))) = double;
+using Words __attribute__((vector_size(8 * GMLPNP_LANES))) = unsigned long long;
 
 template <>
 struct Lanes<Doubles>
