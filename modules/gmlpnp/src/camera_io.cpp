@@ -207,6 +207,9 @@ String textOf(const String& filename)
     const size_t start = text.find_first_not_of(" \t\r\n");
     if (start == String::npos || text.find('\0') != String::npos)
         parseError("is empty or not a text file");
+    // OpenCV 4.6 reads from a null pointer where XML ends within a tag.
+    if (text[start] == '<' && text[text.find_last_not_of(" \t\r\n")] != '>')
+        parseError("ends too early");
     return text[start] == '<' || text[start] == '{' ? text.substr(start) : plainYaml(text);
 }
 

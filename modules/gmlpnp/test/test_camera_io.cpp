@@ -182,6 +182,7 @@ TEST(Gmlpnp_CameraIo, damaged_files_throw)
     for (const std::string& text :
          {std::string(), std::string(" \n\t\n"), std::string("# only\n# comments"), std::string("%"), std::string("{"),
           std::string("<?xml"), std::string("<a>"), std::string("[1, 2]"), std::string("- 1\n- 2\n"),
+          std::string("<?xml version="), std::string("<?xml version=\"1.0\"?>\n<opencv_storage>\n<K type_id=\n "),
           std::string("K\0D", 3), std::string("\x1f\x8b\x08 gz")})
         EXPECT_NE(errorCode([&] { loadText(text); }), 0) << text;
 }
