@@ -22,14 +22,6 @@ struct Features
     cv::Mat descriptors;
 };
 
-cv::Mat readDepth(const std::string& path)
-{
-    cv::Mat depth = readImage(path, cv::IMREAD_UNCHANGED);
-    if (depth.type() != CV_16UC1)
-        throw std::runtime_error(path + ": a depth image has one channel of 16 bits");
-    return depth;
-}
-
 Features detect(const cv::Mat& image, int count)
 {
     Features features;
@@ -74,7 +66,8 @@ CorrespondenceSet matchFrames(const TumSequence& sequence, const FramePair& pair
     set.unit = "m";
     set.hasTruth = true;
     set.truth = pair.secondFromFirst;
-    lift(detect(firstImage, options.features), detect(secondImage, options.features), readDepth(first.depthFile), set);
+    lift(detect(firstImage, options.features), detect(secondImage, options.features), readDepthImage(first.depthFile),
+         set);
     rejectOutliers(set, options.ransacPixels, options.seed);
     requireMatches(set, first.colourFile, second.colourFile);
     return set;

@@ -12,7 +12,12 @@ namespace samples {
 
 cv::Mat readImage(const std::string& path, int flags)
 {
-    cv::Mat image = cv::imread(path, flags);
+    cv::Mat image;
+    try {
+        image = cv::imread(path, flags);
+    } catch (const cv::Exception&) {
+        // A header that names a size no picture has: reported like a file that is none.
+    }
     if (image.empty())
         throw std::runtime_error(path + ": cannot be read as an image");
     return image;

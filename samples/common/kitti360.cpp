@@ -5,9 +5,11 @@
 #include "common/kitti360.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
@@ -68,6 +70,14 @@ Pose poseAfter(const std::string& path, const std::string& key)
     return pose;
 }
 
+cv::Size pictureSize(const std::string& path, double width, double height)
+{
+    constexpr double kLongestSide = 1e6;  // px
+    if (!(width >= 1.0 && height >= 1.0 && width <= kLongestSide && height <= kLongestSide))
+        throw std::runtime_error(cv::format("%s: a picture of %g x %g pixels", path.c_str(), width, height));
+    return {cvRound(width), cvRound(height)};
+}
+
 void readPinhole(const std::string& folder, KittiCamera& camera, Pose& rectification)
 {
     const std::string path = folder + "/perspective.txt";
@@ -77,7 +87,7 @@ void readPinhole(const std::string& folder, KittiCamera& camera, Pose& rectifica
     camera.isPinhole = true;
     camera.cameraMatrix = cv::Matx33d(P[0], P[1], P[2], P[4], P[5], P[6], P[8], P[9], P[10]);
     camera.lens = cv::gmlpnp::CameraModel::pinhole(camera.cameraMatrix, cv::noArray());
-    camera.size = cv::Size(cvRound(size[0]), cvRound(size[1]));
+    camera.size = pictureSize(path, size[0], size[1]);
     rectification.R = cv::Matx33d(R.data());
 }
 
@@ -86,8 +96,25 @@ void readFisheye(const std::string& folder, KittiCamera& camera)
     const std::string path = folder + "/image_" + camera.name + ".yaml";
     opened(path);
     camera.lens = cv::gmlpnp::CameraModel::load(path);
-    camera.size = cv::Size(static_cast<int>(numbersAfter(path, "image_width:", 1)[0]),
-                           static_cast<int>(numbersAfter(path, "image_height:", 1)[0]));
+    camera.size =
+        pictureSize(path, numbersAfter(path, "image_width:", 1)[0], numbersAfter(path, "image_height:", 1)[0]);
+}
+
+//! The frame whose number a file's name is. @return false where it is none.
+bool frameOf(const std::string& stem, int& frame)
+{
+    const char* const end = stem.data() + stem.size();
+    const auto [last, error] = std::from_chars(stem.data(), end, frame);
+    return error == std::errc() && last == end && frame >= 0;
+}
+
+//! @return false where a number is none of a frame.
+bool frameOf(double number, int& frame)
+{
+    if (!(number >= 0.0 && number <= std::numeric_limits<int>::max()) || number != std::floor(number))
+        return false;
+    frame = static_cast<int>(number);
+    return true;
 }
 
 std::string frameName(int frame)
@@ -158,9 +185,9 @@ std::vector<int> kittiFrames(const std::string& root, const std::string& drive)
     std::vector<int> frames;
     if (std::filesystem::is_directory(folder))
         for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-            const std::string stem = entry.path().stem().string();
-            if (entry.path().extension() == ".bin" && stem.find_first_not_of("0123456789") == std::string::npos)
-                frames.push_back(std::atoi(stem.c_str()));
+            int frame = 0;
+            if (entry.path().extension() == ".bin" && frameOf(entry.path().stem().string(), frame))
+                frames.push_back(frame);
         }
     if (frames.empty())
         throw std::runtime_error(folder.string() + ": no LiDAR scans");
@@ -174,7 +201,8 @@ std::vector<cv::Point3d> readScan(const std::string& path, const KittiCamera& ca
     std::vector<cv::Point3d> points;
     cv::Vec4f point;  // x y z reflectance
     while (stream.read(reinterpret_cast<char*>(point.val), sizeof point.val))
-        points.emplace_back(camera.fromLidar * cv::Vec3d(point[0], point[1], point[2]));
+        if (std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]))
+            points.emplace_back(camera.fromLidar * cv::Vec3d(point[0], point[1], point[2]));
     if (stream.gcount() != 0 || points.empty())
         throw std::runtime_error(path + ": " + (points.empty() ? "no points" : "ends within a point"));
     return points;
@@ -192,10 +220,11 @@ std::map<int, Pose> readKittiPoses(const std::string& path)
         if (!(words >> std::ws) || words.peek() == '#' || words.eof())
             continue;
         std::vector<double> v;
+        int frame = 0;
         Pose pose;
-        if (!numbersOf(words, v) || v.size() != 13 || !poseOf(v.data() + 1, pose))
+        if (!numbersOf(words, v) || v.size() != 13 || !frameOf(v[0], frame) || !poseOf(v.data() + 1, pose))
             throw std::runtime_error(path + ":" + std::to_string(number) + ": expected a frame and a 3x4 pose");
-        poses[static_cast<int>(v[0])] = pose;
+        poses[frame] = pose;
     }
     if (poses.empty())
         throw std::runtime_error(path + ": no poses");

@@ -46,7 +46,8 @@ std::string kittiScan(const std::string& root, const std::string& drive, int fra
 /** The frames of a drive that have a LiDAR scan, ascending. @throws std::runtime_error where there are none. */
 std::vector<int> kittiFrames(const std::string& root, const std::string& drive);
 
-/** A LiDAR scan in the camera's frame, m. @throws std::runtime_error where it cannot be read. */
+/** A LiDAR scan in the camera's frame, m, without what is not finite. @throws std::runtime_error where it cannot be
+ * read. */
 std::vector<cv::Point3d> readScan(const std::string& path, const KittiCamera& camera);
 
 /** True motion, by one of two files. */

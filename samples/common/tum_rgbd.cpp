@@ -10,9 +10,12 @@
 #include <fstream>
 #include <iterator>
 #include <locale>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "common/images.hpp"
 
 namespace samples {
 
@@ -92,7 +95,7 @@ std::vector<TimedPose> readGroundTruth(const std::string& path)
         const double length = cv::norm(p.quaternion);
         p.quaternion /= length;
         list.push_back(p);
-        return words && length > 0.5;
+        return words && length > 0.5 && std::isfinite(length);
     });
     return sortedByTime(list, path);
 }
@@ -124,11 +127,14 @@ bool tumCalibration(const std::string& sequence, TumCalibration& calibration)
         {{{517.3, 0.0, 318.6, 0.0, 516.5, 255.3, 0.0, 0.0, 1.0}, {0.2624, -0.9531, -0.0054, 0.0026, 1.1633}},
          {{520.9, 0.0, 325.1, 0.0, 521.0, 249.7, 0.0, 0.0, 1.0}, {0.2312, -0.7849, -0.0033, -0.0001, 0.9172}},
          {{535.4, 0.0, 320.1, 0.0, 539.2, 247.6, 0.0, 0.0, 1.0}, {}}}};
-    std::smatch match;
-    if (!std::regex_search(sequence, match, std::regex("fr(?:eiburg)?([123])")))
-        return false;
-    calibration = calibrations[static_cast<size_t>(match[1].str()[0] - '1')];
-    return true;
+    for (size_t at = sequence.find("fr"); at != std::string::npos; at = sequence.find("fr", at + 1)) {
+        const size_t digit = at + (sequence.compare(at, 8, "freiburg") == 0 ? 8 : 2);
+        if (digit < sequence.size() && sequence[digit] >= '1' && sequence[digit] <= '3') {
+            calibration = calibrations[static_cast<size_t>(sequence[digit] - '1')];
+            return true;
+        }
+    }
+    return false;
 }
 
 TumSequence readTumSequence(const std::string& folder)
@@ -182,6 +188,14 @@ std::vector<FramePair> pairsOf(const TumSequence& sequence, double interval)
         pairs.push_back(pair);
     }
     return pairs;
+}
+
+cv::Mat readDepthImage(const std::string& path)
+{
+    cv::Mat depth = readImage(path, cv::IMREAD_UNCHANGED);
+    if (depth.type() != CV_16UC1)
+        throw std::runtime_error(path + ": a depth image has one channel of 16 bits");
+    return depth;
 }
 
 double depthAt(const cv::Mat& depth, const cv::Point2f& pixel)

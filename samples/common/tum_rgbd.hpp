@@ -71,6 +71,9 @@ bool interpolate(const std::vector<TimedPose>& groundTruth, double time, Pose& c
 /** Pairs of frames `interval` seconds apart that have ground truth, in the order of time. */
 std::vector<FramePair> pairsOf(const TumSequence& sequence, double interval);
 
+/** Reads a depth image, CV_16UC1. @throws std::runtime_error naming the file that is none. */
+cv::Mat readDepthImage(const std::string& path);
+
 /** The depth image's value at a pixel in metres; zero where nothing was measured or outside of the image. */
 double depthAt(const cv::Mat& depth, const cv::Point2f& pixel);
 

@@ -17,6 +17,16 @@ constexpr double kCellsPerStep = 0.5;  // along the map, of a ray's steps
 constexpr double kEdge = 1e-6;         // of a cell: rounding at the edge of the map
 constexpr int kBisections = 40;        // of a step: far below a millimetre
 
+//! Keeps of [first, last] where from + s speed is in [low, high].
+void clip(double from, double speed, double low, double high, double& first, double& last)
+{
+    if (speed == 0.0)
+        return;
+    const double a = (low - from) / speed, b = (high - from) / speed;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+}
+
 }  // namespace
 
 Terrain::Terrain(const Raster& elevations) : raster_(elevations)
@@ -24,6 +34,8 @@ Terrain::Terrain(const Raster& elevations) : raster_(elevations)
     const cv::Mat known = raster_.values == raster_.values;  // not NaN
     if (cv::countNonZero(known) == 0 || known.rows < 2 || known.cols < 2)
         throw std::runtime_error("the elevation model knows no elevation");
+    if (!(resolution() > 0.0 && std::isfinite(resolution())))
+        throw std::runtime_error("the elevation model's cells have no size");
     cv::minMaxLoc(raster_.values, &low_, &high_, nullptr, nullptr, known);
 }
 
@@ -42,19 +54,33 @@ double Terrain::elevation(const cv::Point2d& place) const
            b * ((1.0 - a) * at(y0 + 1, x0) + a * at(y0 + 1, x0 + 1));
 }
 
+bool Terrain::steps(const cv::Vec3d& origin, const cv::Vec3d& d, double& first, double& last, double& step) const
+{
+    const cv::Point2d from = raster_.geo.pixel({origin[0], origin[1]});
+    const cv::Point2d speed = raster_.geo.pixel(raster_.geo.map({}) + cv::Point2d(d[0], d[1]));
+    step = std::min(kCellsPerStep / std::hypot(speed.x, speed.y), (high_ - low_) / -d[2] + resolution());
+    first = std::max(0.0, (origin[2] - high_) / -d[2] - step);
+    last = (origin[2] - low_) / -d[2] + step;
+    // Beside the map there is no ground to look for; a ray near the horizon would be long there.
+    clip(from.x, speed.x, 0.0, raster_.values.cols - 1.0, first, last);
+    clip(from.y, speed.y, 0.0, raster_.values.rows - 1.0, first, last);
+    return first <= last;
+}
+
 bool Terrain::meet(const cv::Vec3d& origin, const cv::Vec3d& direction, cv::Vec3d& ground) const
 {
     const cv::Vec3d d = cv::normalize(direction);
     if (!(d[2] < 0.0))
         return false;
-    const double step = kCellsPerStep * resolution() / std::max(std::hypot(d[0], d[1]), kCellsPerStep);
-    const double first = std::max(0.0, (origin[2] - high_) / -d[2] - step), last = (origin[2] - low_) / -d[2] + step;
+    double first = 0.0, last = 0.0, step = 0.0;
+    if (!steps(origin, d, first, last, step))
+        return false;
     double before = first, height = heightAbove(origin + first * d);
-    for (double s = first + step; s <= last + step; s += step) {
-        const double next = heightAbove(origin + s * d);
+    for (int i = 1; before < last; ++i) {
+        const double s = first + i * step, next = heightAbove(origin + s * d);
         if (height > 0.0 && next <= 0.0) {
             double after = s;
-            for (int i = 0; i < kBisections; ++i) {
+            for (int halving = 0; halving < kBisections; ++halving) {
                 const double middle = 0.5 * (before + after);
                 (heightAbove(origin + middle * d) > 0.0 ? before : after) = middle;
             }

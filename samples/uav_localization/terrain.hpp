@@ -13,7 +13,7 @@ namespace samples {
 class Terrain
 {
 public:
-    //! @throws std::runtime_error where no elevation is known.
+    //! @throws std::runtime_error where no elevation is known or its cells have no size.
     explicit Terrain(const Raster& elevations);
 
     //! Bilinear between the centres of the cells; NaN outside and beside unknown cells.
@@ -30,6 +30,10 @@ public:
 private:
     Raster raster_;
     double low_, high_;
+
+    //! The part of a ray above the map and between its lowest and highest ground, and how far to go at once, m.
+    //! @return false where there is none.
+    bool steps(const cv::Vec3d& origin, const cv::Vec3d& d, double& first, double& last, double& step) const;
 
     double heightAbove(const cv::Vec3d& point) const { return point[2] - elevation({point[0], point[1]}); }
 };

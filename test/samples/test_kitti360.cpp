@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include <opencv2/imgproc.hpp>
 
@@ -123,10 +124,42 @@ TEST(Kitti360, RefusesWhatItCannotRead)
     EXPECT_THROW(readKittiPoses(root + "/poses.txt"), std::runtime_error);
     std::ofstream(root + "/poses.txt") << "5 1 0 0 0 0 2 0 0 0 0 1 0\n";
     EXPECT_THROW(readKittiPoses(root + "/poses.txt"), std::runtime_error) << "no rotation";
+    for (const char* const frame : {"-1", "0.5", "2147483648", "1e300"}) {
+        std::ofstream(root + "/poses.txt") << frame << " 1 0 0 0 0 1 0 0 0 0 1 0\n";
+        EXPECT_THROW(readKittiPoses(root + "/poses.txt"), std::runtime_error) << frame;
+    }
     std::ofstream(root + "/scan.bin") << "12345678901234567";
     EXPECT_THROW(readScan(root + "/scan.bin", readKittiCamera(root, "00")), std::runtime_error);
     EXPECT_THROW(kittiFrames(root, "drive"), std::runtime_error);
     EXPECT_THROW(kittiDrives(root), std::runtime_error);
+}
+
+TEST(Kitti360, RefusesPicturesOfNoSize)
+{
+    for (const char* const size : {"0 376", "1408 -376", "1e300 376", "1408 0.2"}) {
+        const std::string root = writeCalibration();
+        std::ofstream(root + "/calibration/perspective.txt")
+            << "S_rect_00: " << size << "\nP_rect_00: 550 0 680 0 0 550 240 0 0 0 1 0\nR_rect_00: 1 0 0 0 1 0 0 0 1\n";
+        EXPECT_THROW(readKittiCamera(root, "00"), std::runtime_error) << size;
+    }
+}
+
+TEST(Kitti360, LeavesOutPointsThatAreNotFinite)
+{
+    const std::string root = writeCalibration();
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    const float rows[][4] = {{1, 2, 3, nan}, {nan, 2, 3, 0}, {1, -inf, 3, 0}, {4, 5, 6, 0}};
+    std::ofstream(root + "/scan.bin", std::ios::binary).write(reinterpret_cast<const char*>(rows), sizeof rows);
+    EXPECT_EQ(readScan(root + "/scan.bin", readKittiCamera(root, "00")).size(), 2u);
+}
+
+TEST(Kitti360, FramesAreFilesWhoseNameIsANumber)
+{
+    const std::string root = writeCalibration(), folder = root + "/data_3d_raw/drive/velodyne_points/data/";
+    std::filesystem::create_directories(folder);
+    for (const char* const name : {"0000000012.bin", "0000000003.bin", "99999999999.bin", "1x.bin", "0000000004.txt"})
+        std::ofstream(folder + name).put(' ');
+    EXPECT_EQ(kittiFrames(root, "drive"), (std::vector<int>{3, 12}));
 }
 
 //! The rectified stereo pair: its baseline stands in the projection matrix too, a second way to the same number.

@@ -112,6 +112,25 @@ TEST(Terrain, WhatIsBehindAHillIsHidden)
     EXPECT_GT(ground[2], 1.0);
 }
 
+TEST(Terrain, LongRaysAndStrangeCellsEnd)
+{
+    Raster raster = waves();
+    const Terrain terrain(raster);
+    cv::Vec3d ground;
+    const cv::Vec3d eye(kOrigin.x + 900.0, kOrigin.y - 1000.0, 700.0);
+    EXPECT_FALSE(terrain.meet(eye, {1.0, 0.0, -1e-300}, ground)) << "along the horizon";
+    EXPECT_FALSE(terrain.meet(eye + cv::Vec3d(1e12, 0.0, 1e12), {0.0, 0.0, -1.0}, ground)) << "beside the map";
+    EXPECT_TRUE(terrain.meet(eye + cv::Vec3d(0.0, 0.0, 1e9), {0.0, 0.0, -1.0}, ground)) << "from far above";
+    EXPECT_NEAR(ground[2], waveAt({eye[0], eye[1]}), 0.1);
+
+    raster.geo.mapFromPixel = cv::Matx23d(1e-12, 0.0, 0.0, 0.0, -1e-12, 0.0);  // cells far smaller than the relief
+    EXPECT_TRUE(Terrain(raster).meet({1e-10, -1e-10, 1e3}, {1e-13, 0.0, -1.0}, ground));
+    raster.geo.mapFromPixel = cv::Matx23d(1e12, 0.0, 0.0, 0.0, -1e-12, 0.0);  // and far from square
+    EXPECT_TRUE(Terrain(raster).meet({1e13, -1e-10, 1e3}, {1e-3, 0.0, -1.0}, ground));
+    raster.geo.mapFromPixel = cv::Matx23d(10.0, 20.0, 0.0, 10.0, 20.0, 0.0);  // on a line
+    EXPECT_THROW(Terrain{raster}, std::runtime_error);
+}
+
 TEST(Reference, OrthophotoAndPhotographAgree)
 {
     const std::string folder = ::testing::TempDir();

@@ -85,6 +85,26 @@ TEST(TumRgbd, DepthIsMetresAndZeroWhereNothingIsMeasured)
     EXPECT_EQ(depthAt(depth, {-3.0f, 2.0f}), 0.0);
 }
 
+TEST(TumRgbd, RefusesRotationsThatAreNone)
+{
+    for (const char* const quaternion : {"0 0 0 0", "1e200 0 0 0", "1 0 0"}) {
+        const std::string folder = writeSequence("0 a\n", "0 b\n");
+        std::ofstream(folder + "/groundtruth.txt") << "0 0 0 0 " << quaternion << "\n";
+        EXPECT_THROW(readTumSequence(folder), std::runtime_error) << quaternion;
+    }
+}
+
+TEST(TumRgbd, RefusesFilesThatAreNoDepthImage)
+{
+    const std::string path = ::testing::TempDir() + "gmlpnp_tum_no_depth.pgm";
+    for (const char* const content : {"", "P2 2 1 255\n1 2\n", "P5 2000000000 2000000000 65535\n", "P2 2 1 65535\n"}) {
+        std::ofstream(path) << content;
+        EXPECT_THROW(readDepthImage(path), std::runtime_error) << content;
+    }
+    std::ofstream(path) << "P2 2 1 65535\n1 5000\n";
+    EXPECT_EQ(depthAt(readDepthImage(path), {1.0f, 0.0f}), 1.0);
+}
+
 TEST(TumRgbd, NamesTellTheCamera)
 {
     TumCalibration calibration;
