@@ -6,13 +6,13 @@
 // times; then what only this module gives: the noise of the data and the uncertainty of the pose, also as a picture.
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
 #include "common/command_line.hpp"
 #include "common/methods.hpp"
 #include "common/noise_report.hpp"
+#include "common/output_file.hpp"
 #include "common/residual_picture.hpp"
 #include "common/table.hpp"
 
@@ -148,19 +148,18 @@ std::string withName(const std::filesystem::path& path, const std::string& name)
 
 void writeCsv(const std::string& path, const std::vector<FileRuns>& files)
 {
-    std::ofstream out(path);
-    out << "file,method,points,solved,rx_rad,ry_rad,rz_rad,tx,ty,tz,rotation_error_deg,position_error,time_us\n";
-    for (const FileRuns& file : files)
-        for (const Run& run : file.runs) {
-            const cv::Vec3d &r = run.estimate.rvec, &t = run.estimate.tvec;
-            out << file.set.name() << "," << run.method.name << "," << file.set.objectPoints.size() << ","
-                << run.estimate.solved
-                << cv::format(",%.12g,%.12g,%.12g,%.12g,%.12g,%.12g", r[0], r[1], r[2], t[0], t[1], t[2])
-                << (file.set.hasTruth ? cv::format(",%.9g,%.9g", run.rotationError, run.positionError) : ",,")
-                << cv::format(",%.1f\n", run.estimate.microseconds);
-        }
-    if (!out.flush())
-        throw std::runtime_error(path + ": cannot be written");
+    writeFile(path, [&](std::ostream& out) {
+        out << "file,method,points,solved,rx_rad,ry_rad,rz_rad,tx,ty,tz,rotation_error_deg,position_error,time_us\n";
+        for (const FileRuns& file : files)
+            for (const Run& run : file.runs) {
+                const cv::Vec3d &r = run.estimate.rvec, &t = run.estimate.tvec;
+                out << file.set.name() << "," << run.method.name << "," << file.set.objectPoints.size() << ","
+                    << run.estimate.solved
+                    << cv::format(",%.12g,%.12g,%.12g,%.12g,%.12g,%.12g", r[0], r[1], r[2], t[0], t[1], t[2])
+                    << (file.set.hasTruth ? cv::format(",%.9g,%.9g", run.rotationError, run.positionError) : ",,")
+                    << cv::format(",%.1f\n", run.estimate.microseconds);
+            }
+    });
 }
 
 void report(const FileRuns& file, const Method* method, bool brief, const std::string& picture)

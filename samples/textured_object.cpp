@@ -6,9 +6,9 @@
 // each pose is. Its data, a video, a model of 5914 points with ORB descriptors and a mesh, come with OpenCV's sources.
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,6 +24,8 @@
 
 #include "common/canvas.hpp"
 #include "common/command_line.hpp"
+#include "common/images.hpp"
+#include "common/output_file.hpp"
 #include "common/table.hpp"
 
 namespace {
@@ -228,6 +230,15 @@ bool show(const cv::Mat& frame)
 #endif
 }
 
+// cv::VideoWriter does not say whether the disk was full, so the video is looked at.
+void finish(cv::VideoWriter& video, PartialFile& file, int frames)
+{
+    video.release();
+    if (cv::VideoCapture(file.path()).get(cv::CAP_PROP_FRAME_COUNT) != frames)
+        file.fail();
+    file.commit();
+}
+
 struct Summary
 {
     int frames = 0, found = 0;
@@ -262,11 +273,10 @@ int run(const Arguments& arguments)
     cv::VideoCapture video(input);
     if (!video.isOpened())
         throw std::runtime_error(input + ": cannot be opened as a video");
-    std::ofstream csv(csvPath);
-    if (!csv)
-        throw std::runtime_error(csvPath + ": cannot be written");
-    csv << "frame,found,matches,inliers,ms,rx,ry,rz,tx_cm,ty_cm,tz_cm,cx_cm,cy_cm,cz_cm,camera_sd_cm\n";
+    OutputFile csv(csvPath);
+    csv.stream() << "frame,found,matches,inliers,ms,rx,ry,rz,tx_cm,ty_cm,tz_cm,cx_cm,cy_cm,cz_cm,camera_sd_cm\n";
 
+    std::optional<PartialFile> videoFile;
     cv::VideoWriter out;
     cv::Mat frame, best;
     FramePose last;
@@ -275,11 +285,13 @@ int run(const Arguments& arguments)
         const Correspondences matches = matcher.match(frame);
         last = solveFrame(matches, camera, threshold, last);
         summary.add(last);
-        writeRow(csv, i, last);
+        writeRow(csv.stream(), i, last);
         draw(frame, matches, model, camera, last);
-        if (i == 0 && !videoPath.empty() &&
-            !out.open(videoPath, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30, frame.size()))
-            throw std::runtime_error(videoPath + ": cannot be written");
+        if (i == 0 && !videoPath.empty()) {
+            videoFile.emplace(videoPath);
+            if (!out.open(videoFile->path(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30, frame.size()))
+                videoFile->fail();
+        }
         if (out.isOpened())
             out.write(frame);
         if (last.found)
@@ -291,8 +303,11 @@ int run(const Arguments& arguments)
     }
     if (summary.frames == 0)
         throw std::runtime_error(input + ": has no frame");
-    if (!picture.empty() && !best.empty() && !cv::imwrite(picture, best))
-        throw std::runtime_error(picture + ": cannot be written");
+    csv.commit();
+    if (videoFile)
+        finish(out, *videoFile, summary.frames);
+    if (!picture.empty() && !best.empty())
+        writeImage(picture, best);
     std::cout << summary.found << " poses in " << summary.frames << " frames; medians: " << median(summary.inliers)
               << " inliers, " << fixed(median(summary.milliseconds), 2) << " ms for a pose\n"
               << "Poses: " << csvPath << (videoPath.empty() ? "" : "; video: " + videoPath) << "\n";

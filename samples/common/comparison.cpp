@@ -6,10 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <locale>
 #include <stdexcept>
 
+#include "common/output_file.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
 
@@ -173,29 +172,28 @@ void printDifferences(std::ostream& out, const Comparison& comparison, uint64_t 
 
 void writeComparison(const std::string& path, const Comparison& comparison)
 {
-    std::ofstream out(path);
-    out.imbue(std::locale::classic());
-    out << "pair,method,points,solved,rx_rad,ry_rad,rz_rad,tx,ty,tz";
-    for (const Quantity& quantity : comparison.quantities)
-        out << "," << quantity.name << "_" << quantity.unit;
-    out << ",time_us\n";
-    const std::string nothing(7 + comparison.quantities.size(), ',');
-    for (const Trial& trial : comparison.trials)
-        for (size_t m = 0; m < comparison.methods.size(); ++m) {
-            const Outcome* outcome = solvedOutcome(trial, m);
-            out << trial.name << "," << comparison.methods[m].name << "," << trial.points << "," << (outcome ? 1 : 0);
-            if (outcome == nullptr) {
-                out << nothing << "\n";
-                continue;
+    writeFile(path, [&](std::ostream& out) {
+        out << "pair,method,points,solved,rx_rad,ry_rad,rz_rad,tx,ty,tz";
+        for (const Quantity& quantity : comparison.quantities)
+            out << "," << quantity.name << "_" << quantity.unit;
+        out << ",time_us\n";
+        const std::string nothing(7 + comparison.quantities.size(), ',');
+        for (const Trial& trial : comparison.trials)
+            for (size_t m = 0; m < comparison.methods.size(); ++m) {
+                const Outcome* outcome = solvedOutcome(trial, m);
+                out << trial.name << "," << comparison.methods[m].name << "," << trial.points << ","
+                    << (outcome ? 1 : 0);
+                if (outcome == nullptr) {
+                    out << nothing << "\n";
+                    continue;
+                }
+                const cv::Vec3d &r = outcome->estimate.rvec, &t = outcome->estimate.tvec;
+                out << cv::format(",%.12g,%.12g,%.12g,%.12g,%.12g,%.12g", r[0], r[1], r[2], t[0], t[1], t[2]);
+                for (const double error : outcome->errors)
+                    out << cv::format(",%.9g", error);
+                out << cv::format(",%.1f\n", outcome->estimate.microseconds);
             }
-            const cv::Vec3d &r = outcome->estimate.rvec, &t = outcome->estimate.tvec;
-            out << cv::format(",%.12g,%.12g,%.12g,%.12g,%.12g,%.12g", r[0], r[1], r[2], t[0], t[1], t[2]);
-            for (const double error : outcome->errors)
-                out << cv::format(",%.9g", error);
-            out << cv::format(",%.1f\n", outcome->estimate.microseconds);
-        }
-    if (!out.flush())
-        throw std::runtime_error(path + ": cannot be written");
+    });
 }
 
 }  // namespace samples

@@ -15,6 +15,8 @@
 #include <set>
 #include <sstream>
 
+#include "common/output_file.hpp"
+
 namespace samples {
 
 namespace {
@@ -274,18 +276,16 @@ CorrespondenceSet readCorrespondences(const std::string& path, CameraIn camera)
 
 void writeCorrespondences(const std::string& path, const CorrespondenceSet& set)
 {
-    std::ofstream out(path);
-    out.imbue(std::locale::classic());
-    writeHeader(out, set);
-    out << std::fixed;
-    for (size_t i = 0; i < set.objectPoints.size(); ++i) {
-        const cv::Point3d& p = set.objectPoints[i];
-        const cv::Point2d& u = set.imagePoints[i];
-        out << std::setprecision(5) << p.x << " " << p.y << " " << p.z << " " << std::setprecision(3) << u.x << " "
-            << u.y << "\n";
-    }
-    if (!out.flush())
-        throw std::runtime_error(path + ": cannot be written");
+    writeFile(path, [&](std::ostream& out) {
+        writeHeader(out, set);
+        out << std::fixed;
+        for (size_t i = 0; i < set.objectPoints.size(); ++i) {
+            const cv::Point3d& p = set.objectPoints[i];
+            const cv::Point2d& u = set.imagePoints[i];
+            out << std::setprecision(5) << p.x << " " << p.y << " " << p.z << " " << std::setprecision(3) << u.x << " "
+                << u.y << "\n";
+        }
+    });
 }
 
 }  // namespace samples

@@ -4,9 +4,13 @@
 
 #include "common/images.hpp"
 
+#include <filesystem>
 #include <stdexcept>
+#include <vector>
 
 #include <opencv2/imgcodecs.hpp>
+
+#include "common/output_file.hpp"
 
 namespace samples {
 
@@ -25,14 +29,18 @@ cv::Mat readImage(const std::string& path, int flags)
 
 void writeImage(const std::string& path, const cv::Mat& image)
 {
-    bool written = false;
+    std::vector<uchar> bytes;  // not cv::imwrite, which does not notice a full disk
+    bool encoded = false;
     try {
-        written = cv::imwrite(path, image);
+        encoded = cv::imencode(std::filesystem::path(path).extension().string(), image, bytes);
     } catch (const cv::Exception&) {
         // No codec for the extension: reported like a folder that is not there.
     }
-    if (!written)
+    if (!encoded)
         throw std::runtime_error(path + ": cannot be written");
+    writeFile(path, [&](std::ostream& out) {
+        out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    });
 }
 
 }  // namespace samples

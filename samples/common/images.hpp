@@ -14,7 +14,8 @@ namespace samples {
 /** cv::imread. @throws std::runtime_error naming the file where it cannot be read. */
 cv::Mat readImage(const std::string& path, int flags);
 
-/** cv::imwrite. @throws std::runtime_error naming the file where it cannot be written. */
+/** In the format of the extension, as writeFile(). @throws std::runtime_error naming the file where it cannot be
+ * written. */
 void writeImage(const std::string& path, const cv::Mat& image);
 
 }  // namespace samples

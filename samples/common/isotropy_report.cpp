@@ -6,11 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <locale>
 #include <stdexcept>
 
 #include "common/axes.hpp"
+#include "common/output_file.hpp"
 #include "common/residuals.hpp"
 #include "common/table.hpp"
 
@@ -167,18 +166,16 @@ cv::Mat drawIsotropy(const std::vector<TrueResidual>& residuals, const Isotropy&
 void writeTrueResiduals(const std::string& path, const std::vector<TrueResidual>& residuals,
                         const std::vector<std::string>& pairNames, const std::string& unit)
 {
-    std::ofstream out(path);
-    out.imbue(std::locale::classic());
-    out << "# lengths in " << unit << ", object frame; e leads from the ray to the object point\n"
-        << "pair,X,Y,Z,ex,ey,ez,depth,ray_x,ray_y,ray_z\n";
-    for (const TrueResidual& r : residuals) {
-        out << pairNames[r.pair];
-        for (const cv::Vec3d& v : {r.point, r.object})
-            out << cv::format(",%.10g,%.10g,%.10g", v[0], v[1], v[2]);
-        out << cv::format(",%.10g,%.9f,%.9f,%.9f\n", r.depth, r.ray[0], r.ray[1], r.ray[2]);
-    }
-    if (!out.flush())
-        throw std::runtime_error(path + ": cannot be written");
+    writeFile(path, [&](std::ostream& out) {
+        out << "# lengths in " << unit << ", object frame; e leads from the ray to the object point\n"
+            << "pair,X,Y,Z,ex,ey,ez,depth,ray_x,ray_y,ray_z\n";
+        for (const TrueResidual& r : residuals) {
+            out << pairNames[r.pair];
+            for (const cv::Vec3d& v : {r.point, r.object})
+                out << cv::format(",%.10g,%.10g,%.10g", v[0], v[1], v[2]);
+            out << cv::format(",%.10g,%.9f,%.9f,%.9f\n", r.depth, r.ray[0], r.ray[1], r.ray[2]);
+        }
+    });
 }
 
 }  // namespace samples

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 
 #include "common/comparison_picture.hpp"
 #include "common/images.hpp"
+#include "common/output_file.hpp"
 #include "common/progress.hpp"
 
 namespace samples {
@@ -46,9 +46,7 @@ std::vector<Method> methodsOf(const std::string& names)
 
 void writeText(const std::string& path, const std::string& text)
 {
-    std::ofstream out(path);
-    if (!(out << text).flush())
-        throw std::runtime_error(path + ": cannot be written");
+    writeFile(path, [&](std::ostream& out) { out << text; });
 }
 
 Trial runTrial(const Study& study, const StudyOptions& options, size_t pair, std::vector<TrueResidual>& residuals)

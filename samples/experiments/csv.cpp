@@ -5,10 +5,11 @@
 #include "csv.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 
 #include <opencv2/core.hpp>
+
+#include "common/output_file.hpp"
 
 namespace experiments {
 
@@ -41,10 +42,7 @@ void Csv::endRow()
 
 void Csv::save() const
 {
-    std::ofstream file(path_);
-    file << text_.str();
-    if (!file.flush())
-        throw std::runtime_error(path_ + ": cannot be written");
+    samples::writeFile(path_, [this](std::ostream& out) { out << text_.str(); });
 }
 
 std::vector<std::string> intervalColumns(const std::string& name)

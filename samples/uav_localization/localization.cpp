@@ -6,14 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <locale>
 #include <stdexcept>
 
 #include <opencv2/imgproc.hpp>
 
 #include "common/axes.hpp"
 #include "common/exterior_orientation.hpp"
+#include "common/output_file.hpp"
 #include "common/table.hpp"
 
 namespace samples {
@@ -182,29 +181,27 @@ bool localize(const CorrespondenceSet& set, const std::string& name, Localizatio
 
 void writeLocalizations(const std::string& path, const std::vector<Localization>& all)
 {
-    std::ofstream out(path);
-    out.imbue(std::locale::classic());
-    out << "pair,points,easting,northing,elevation,sd_easting,sd_northing,sd_elevation,ellipse95_a,ellipse95_b,"
-           "ellipse95_azimuth_deg,roll_deg,pitch_deg,yaw_deg,true_easting,true_northing,true_elevation,"
-           "squared_distance\n";
-    for (const Localization& l : all) {
-        const cv::Matx33d& C = l.covariance;
-        cv::Mat values, vectors;
-        cv::eigen(kReach2 * cv::Matx22d(C(0, 0), C(0, 1), C(1, 0), C(1, 1)), values, vectors);
-        const double azimuth = degrees(std::atan2(vectors.at<double>(0, 0), vectors.at<double>(0, 1)));
-        out << l.name << "," << l.points
-            << cv::format(",%.4f,%.4f,%.4f,%.4f,%.4f,%.4f", l.centre[0], l.centre[1], l.centre[2], std::sqrt(C(0, 0)),
-                          std::sqrt(C(1, 1)), std::sqrt(C(2, 2)))
-            << cv::format(",%.4f,%.4f,%.2f", std::sqrt(values.at<double>(0)), std::sqrt(values.at<double>(1)),
-                          azimuth < 0.0 ? azimuth + 180.0 : azimuth)
-            << cv::format(",%.5f,%.5f,%.5f", l.attitude[0], l.attitude[1], l.attitude[2]);
-        if (l.hasTruth)
-            out << cv::format(",%.4f,%.4f,%.4f,%.3f\n", l.truth[0], l.truth[1], l.truth[2], l.squaredDistance());
-        else
-            out << ",,,,\n";
-    }
-    if (!out.flush())
-        throw std::runtime_error(path + ": cannot be written");
+    writeFile(path, [&](std::ostream& out) {
+        out << "pair,points,easting,northing,elevation,sd_easting,sd_northing,sd_elevation,ellipse95_a,ellipse95_b,"
+               "ellipse95_azimuth_deg,roll_deg,pitch_deg,yaw_deg,true_easting,true_northing,true_elevation,"
+               "squared_distance\n";
+        for (const Localization& l : all) {
+            const cv::Matx33d& C = l.covariance;
+            cv::Mat values, vectors;
+            cv::eigen(kReach2 * cv::Matx22d(C(0, 0), C(0, 1), C(1, 0), C(1, 1)), values, vectors);
+            const double azimuth = degrees(std::atan2(vectors.at<double>(0, 0), vectors.at<double>(0, 1)));
+            out << l.name << "," << l.points
+                << cv::format(",%.4f,%.4f,%.4f,%.4f,%.4f,%.4f", l.centre[0], l.centre[1], l.centre[2],
+                              std::sqrt(C(0, 0)), std::sqrt(C(1, 1)), std::sqrt(C(2, 2)))
+                << cv::format(",%.4f,%.4f,%.2f", std::sqrt(values.at<double>(0)), std::sqrt(values.at<double>(1)),
+                              azimuth < 0.0 ? azimuth + 180.0 : azimuth)
+                << cv::format(",%.5f,%.5f,%.5f", l.attitude[0], l.attitude[1], l.attitude[2]);
+            if (l.hasTruth)
+                out << cv::format(",%.4f,%.4f,%.4f,%.3f\n", l.truth[0], l.truth[1], l.truth[2], l.squaredDistance());
+            else
+                out << ",,,,\n";
+        }
+    });
 }
 
 cv::Mat drawLocalization(const Localization& found, const CorrespondenceSet& set, const Terrain& terrain,

@@ -17,6 +17,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "common/output_file.hpp"
+
 namespace samples {
 
 namespace {
@@ -231,9 +233,10 @@ void writeOrthophoto(const std::string& path, const Raster& raster, const std::s
     options.AddString("COMPRESS=DEFLATE");
     options.AddString("ALPHA=YES");
     options.AddString(channels == 3 ? "PHOTOMETRIC=RGB" : "PHOTOMETRIC=MINISBLACK");
-    const Dataset dataset(driver == nullptr ? nullptr
-                                            : driver->Create(path.c_str(), raster.values.cols, raster.values.rows,
-                                                             channels + 1, GDT_Byte, options.List()));
+    PartialFile file(path);
+    Dataset dataset(driver == nullptr ? nullptr
+                                      : driver->Create(file.path().c_str(), raster.values.cols, raster.values.rows,
+                                                       channels + 1, GDT_Byte, options.List()));
     if (!dataset)
         fail(path, "cannot be written");
     const cv::Matx23d& A = raster.geo.mapFromPixel;
@@ -251,6 +254,10 @@ void writeOrthophoto(const std::string& path, const Raster& raster, const std::s
                                                     plane.rows, GDT_Byte, 0, 0) != CE_None)
             fail(path, "cannot be written");
     }
+    dataset.reset();  // what is still in memory goes to the disk now, and may not fit there
+    if (CPLGetLastErrorType() >= CE_Failure)
+        fail(path, "cannot be written");
+    file.commit();
 }
 
 }  // namespace samples

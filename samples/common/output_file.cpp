@@ -1,0 +1,72 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "common/output_file.hpp"
+
+#include <unistd.h>
+
+#include <locale>
+#include <stdexcept>
+
+namespace samples {
+
+namespace fs = std::filesystem;
+
+PartialFile::PartialFile(const std::string& path) : asked_(path), target_(path), partial_(path)
+{
+    std::error_code error;
+    const fs::path real = fs::canonical(target_, error);  // through links; an error where there is nothing yet
+    if (!error)
+        target_ = partial_ = real;
+    if (!error && !fs::is_regular_file(target_, error))
+        return;
+    partial_.replace_filename(target_.stem().string() + ".partial" + std::to_string(getpid()) +
+                              target_.extension().string());
+}
+
+PartialFile::~PartialFile()
+{
+    std::error_code ignored;
+    if (partial_ != target_)
+        fs::remove(partial_, ignored);
+}
+
+void PartialFile::commit()
+{
+    std::error_code error;
+    if (partial_ != target_)
+        fs::rename(partial_, target_, error);
+    if (error)
+        fail();
+    partial_ = target_;
+}
+
+void PartialFile::fail() const
+{
+    throw std::runtime_error(asked_ + ": cannot be written");
+}
+
+OutputFile::OutputFile(const std::string& path) : file_(path), stream_(file_.path(), std::ios::binary)
+{
+    if (!stream_)
+        file_.fail();
+    stream_.imbue(std::locale::classic());
+}
+
+void OutputFile::commit()
+{
+    stream_.close();  // a stream that failed before stays failed
+    if (!stream_)
+        file_.fail();
+    file_.commit();
+}
+
+void writeFile(const std::string& path, const std::function<void(std::ostream&)>& write)
+{
+    OutputFile file(path);
+    write(file.stream());
+    file.commit();
+}
+
+}  // namespace samples
