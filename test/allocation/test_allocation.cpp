@@ -6,61 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cstdlib>
 #include <vector>
 
+#include "hooks.hpp"
 #include "opencv2/gmlpnp.hpp"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
-#define CANNOT_COUNT 1  // the allocator is not ours to stand in for
-#else
-#define CANNOT_COUNT 0
-extern "C" {
-void* __libc_malloc(size_t size);
-void* __libc_calloc(size_t count, size_t size);
-void* __libc_realloc(void* block, size_t size);
-void* __libc_memalign(size_t alignment, size_t size);
-}
-#endif
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-#if !CANNOT_COUNT
-// These stand in front of glibc's for the whole process, shared libraries included.
-extern "C" {
-void* malloc(size_t size)
-{
-    ++allocations;
-    return __libc_malloc(size);
-}
-void* calloc(size_t count, size_t size)
-{
-    ++allocations;
-    return __libc_calloc(count, size);
-}
-void* realloc(void* block, size_t size)
-{
-    ++allocations;
-    return __libc_realloc(block, size);
-}
-int posix_memalign(void** block, size_t alignment, size_t size)
-{
-    ++allocations;
-    *block = __libc_memalign(alignment, size);
-    return *block ? 0 : 12;
-}
-void* aligned_alloc(size_t alignment, size_t size)
-{
-    ++allocations;
-    return __libc_memalign(alignment, size);
-}
-}
-#endif
 
 namespace {
 
@@ -89,9 +39,9 @@ long allocationsOf(const Data& data, int method, int rounds)
     params.maxRounds = rounds;
     params.tolerance = 0;  // run them all
     cv::gmlpnp::Result result;
-    const long before = allocations;
+    const long before = allocation::made();
     const bool solved = cv::gmlpnp::solveRays(data.points, data.rays, result, params);
-    const long count = allocations - before;
+    const long count = allocation::made() - before;
     EXPECT_TRUE(solved);
     EXPECT_EQ(rounds, result.rounds);
     return count;
@@ -102,19 +52,19 @@ class Allocation : public testing::Test
 protected:
     void SetUp() override
     {
-        if (CANNOT_COUNT)
+        if (!allocation::counted())
             GTEST_SKIP() << "allocations cannot be counted under a sanitizer or without glibc";
     }
 };
 
 TEST_F(Allocation, theCounterFires)
 {
-    const long before = allocations;
+    const long before = allocation::made();
     void* volatile block = std::malloc(100);
     std::free(block);
-    EXPECT_EQ(before + 1, allocations);
+    EXPECT_EQ(before + 1, allocation::made());
     const cv::Mat mat(100, 100, CV_64F);
-    EXPECT_GT(allocations, before + 1) << "not in OpenCV's library";
+    EXPECT_GT(allocation::made(), before + 1) << "not in OpenCV's library";
 }
 
 TEST_F(Allocation, noneInARound)

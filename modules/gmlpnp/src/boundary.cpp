@@ -339,10 +339,10 @@ Vec3d guessFrom(InputArray vec, const char* name)
     return {flat(0), flat(1), flat(2)};
 }
 
-void writeVector(const Vec3d& v, OutputArray out)
+void addPose(const Pose& pose, OutputArray rvec, OutputArray tvec, Outputs& outputs)
 {
-    const int depth = out.empty() && !out.fixedType() ? CV_64F : out.depth();
-    Mat(v).convertTo(out, depth == CV_32F ? CV_32F : CV_64F);
+    outputs.add(toVec(logSO3(pose.R)), rvec, "rvec");
+    outputs.add(toVec(pose.t), tvec, "tvec");
 }
 
 }  // namespace detail

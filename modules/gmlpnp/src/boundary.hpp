@@ -5,6 +5,7 @@
 #ifndef OPENCV_GMLPNP_BOUNDARY_HPP
 #define OPENCV_GMLPNP_BOUNDARY_HPP
 
+#include "outputs.hpp"
 #include "solve.hpp"
 
 // Between OpenCV's types and the solver's: checks and conversions, no mathematics.
@@ -50,8 +51,8 @@ void requireEnough(const Input& input, int fewest);
 /** 3 floating-point numbers of any shape; anything else: StsAssert, named. */
 Vec3d guessFrom(InputArray vec, const char* name);
 
-/** 3x1, in the depth of the array that was passed, as cv::solvePnP does it. */
-void writeVector(const Vec3d& v, OutputArray out);
+/** Rotation vector and translation of a pose. */
+void addPose(const Pose& pose, OutputArray rvec, OutputArray tvec, Outputs& outputs);
 
 }  // namespace detail
 }  // namespace gmlpnp

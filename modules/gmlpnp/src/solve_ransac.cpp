@@ -115,10 +115,10 @@ std::vector<int> callersRows(const Input& input, const std::vector<int>& rows)
     return callers;
 }
 
-void writeInliers(const Input& input, const Robust& robust, OutputArray out)
+void addInliers(const Input& input, const Robust& robust, OutputArray out, Outputs& outputs)
 {
     if (out.needed())
-        Mat(callersRows(input, robust.inliers)).copyTo(out);
+        outputs.add(Mat(callersRows(input, robust.inliers), true), out, "inliers");
 }
 
 bool solveToResult(Input input, const Measure& measure, const Options& options, const RansacParams& ransac,
@@ -130,9 +130,11 @@ bool solveToResult(Input input, const Measure& measure, const Options& options, 
         result.status = status;
         return false;
     }
-    writeInliers(input, robust, inliers);
+    Outputs outputs;
+    addInliers(input, robust, inliers, outputs);
     input.used = callersRows(input, robust.used);
     result = toResult(robust.solution, status, input);
+    outputs.write();
     return true;
 }
 
@@ -173,10 +175,10 @@ bool solvePnPRansacWith(const Ptr<CameraModel>& camera, InputArray objectPoints,
     const Measure measure = measureOf(input, imagePoints, camera, ransac.threshold);
     if (!isSuccess(runRansac(input, measure, options, ransac, robust)))
         return false;
-    const Vector3d r = logSO3(robust.solution.pose.R), t = robust.solution.pose.t;
-    writeVector({r.x(), r.y(), r.z()}, rvec);
-    writeVector({t.x(), t.y(), t.z()}, tvec);
-    writeInliers(input, robust, inliers);
+    Outputs outputs;
+    addPose(robust.solution.pose, rvec, tvec, outputs);
+    addInliers(input, robust, inliers, outputs);
+    outputs.write();
     return true;
 }
 

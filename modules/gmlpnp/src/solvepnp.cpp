@@ -24,9 +24,10 @@ int solveEach(const Input& input, Options options, std::vector<Result>& results)
     options.everyMinimum = true;
     if (!run(input, options, status, solutions))
         return 0;
-    results.clear();
+    std::vector<Result> found;
     for (const Solution& solution : solutions)
-        results.push_back(toResult(solution, solution.converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS, input));
+        found.push_back(toResult(solution, solution.converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS, input));
+    results.swap(found);
     return static_cast<int>(results.size());
 }
 
@@ -83,9 +84,9 @@ bool solveToVectors(InputArray objectPoints, InputArray imagePoints, const Ptr<C
     std::vector<Solution> solutions;
     if (!run(enoughPixels(objectPoints, imagePoints, camera, params), options, status, solutions))
         return false;
-    const Vector3d r = logSO3(solutions.front().pose.R), t = solutions.front().pose.t;
-    writeVector({r.x(), r.y(), r.z()}, rvec);
-    writeVector({t.x(), t.y(), t.z()}, tvec);
+    Outputs outputs;
+    addPose(solutions.front().pose, rvec, tvec, outputs);
+    outputs.write();
     return true;
 }
 
@@ -109,26 +110,9 @@ bool solvePnP(InputArray objectPoints, InputArray imagePoints, InputArray camera
 
 namespace {
 
-// A list of 3-vectors: of matrices (3x1, CV_64F), or of the fixed type that was passed (Vec3d, Vec3f, Point3d...).
-void writeVectors(const std::vector<Vec3d>& vectors, OutputArrayOfArrays out)
-{
-    const int n = static_cast<int>(vectors.size());
-    if (out.kind() == _InputArray::STD_VECTOR) {
-        Mat(vectors).reshape(out.channels()).convertTo(out, out.depth());
-        return;
-    }
-    const int depth = out.fixedType() ? out.depth() : CV_64F;
-    out.create(n, 1, depth);
-    for (int i = 0; i < n; ++i) {
-        out.create(3, 1, depth, i);
-        Mat slot = out.getMat(i);
-        Mat(vectors[i]).convertTo(slot, depth);
-    }
-}
-
 // Root mean square over both coordinates of all points, as cv::solvePnPGeneric computes it.
-void writeReprojectionErrors(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
-                             InputArray distCoeffs, const std::vector<Result>& results, OutputArray out)
+Mat reprojectionErrors(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
+                       const std::vector<Result>& results)
 {
     const Mat points = pointsFrom(objectPoints, 3, "objectPoints"), pixels = pointsFrom(imagePoints, 2, "imagePoints");
     Mat K, D, projected;  // cv::projectPoints takes floating-point numbers only
@@ -139,7 +123,7 @@ void writeReprojectionErrors(InputArray objectPoints, InputArray imagePoints, In
         projectPoints(points, results[i].rvec, results[i].tvec, K, D, projected);
         errors(i) = norm(projected.reshape(1, pixels.rows), pixels, NORM_L2) / std::sqrt(2. * pixels.rows);
     }
-    errors.convertTo(out, out.fixedType() ? out.depth() : CV_64F);
+    return std::move(errors);
 }
 
 }  // namespace
@@ -162,10 +146,13 @@ int solvePnPGeneric(InputArray objectPoints, InputArray imagePoints, InputArray 
         rotations.push_back(result.rvec);
         translations.push_back(result.tvec);
     }
-    writeVectors(rotations, rvecs);
-    writeVectors(translations, tvecs);
+    Outputs outputs;
+    outputs.add(rotations, rvecs, "rvecs");
+    outputs.add(translations, tvecs, "tvecs");
     if (reprojectionError.needed())
-        writeReprojectionErrors(objectPoints, imagePoints, cameraMatrix, distCoeffs, results, reprojectionError);
+        outputs.add(reprojectionErrors(objectPoints, imagePoints, cameraMatrix, distCoeffs, results), reprojectionError,
+                    "reprojectionError");
+    outputs.write();
     return count;
 }
 
