@@ -244,8 +244,15 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, b
     out.spread = square / total - mean * mean.transpose();
     out.pose = perturbed(best.estimate.pose, mean);
     out.noise = restricted(out, data.size());
-    if (evaluate)
+    const bool far = !(0.5 * mean.dot(best.estimate.sums.H * mean) < RISE);
+    if (evaluate || far)
         out.sums = rayPass(data, out.pose, out.noise);
+    // Between two minima the mean is no pose that anything speaks for.
+    if (far && !accepted(true, best.estimate.sums, out.sums, data.size())) {
+        out.pose = best.estimate.pose;
+        out.spread = square / total;
+        out.sums = rayPass(data, out.pose, out.noise);
+    }
     return out;
 }
 
