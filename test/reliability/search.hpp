@@ -1,0 +1,22 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef GMLPNP_RELIABILITY_SEARCH_HPP
+#define GMLPNP_RELIABILITY_SEARCH_HPP
+
+#include "problem.hpp"
+
+namespace reliability {
+
+/** Whether the cost of a result can be compared with that of a search: n >= 6, no guess, no wrong correspondences (also
+none behind the camera), no corrupt number, and noise of at least 1e-9: below it L is that of rounding. */
+bool searchable(const Problem& problem);
+
+/** The least cost L [nat] that the marginal method comes to from `starts` random rotations, each with the translation
+that goes with it, first descended to its isotropic minimum; infinity where none is a pose with most points in front. */
+double bestOfSearch(const Problem& problem, int starts);
+
+}  // namespace reliability
+
+#endif  // GMLPNP_RELIABILITY_SEARCH_HPP

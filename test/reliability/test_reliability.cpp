@@ -1,0 +1,95 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "sweep.hpp"
+
+namespace {
+
+using namespace reliability;
+
+Settings small()
+{
+    Settings settings;
+    settings.problems = 4000;
+    settings.searched = 400;
+    settings.seed = 2;
+    settings.threads = 2;
+    return settings;
+}
+
+// The aims of doc/reliability.md; and a sweep that finds nothing is worth what its eyes are worth: OpenCV's solvers
+// fail on the same problems.
+TEST(Reliability, AFewThousandProblems)
+{
+    const Sweep found = sweep(small());
+    long badPoses = 0, refused = 0;
+    for (size_t s = 0; s < allSolvers().size(); ++s) {
+        const Tally& tally = found.tallies[s];
+        if (!allSolvers()[s].ours) {
+            badPoses += tally.badPose;
+            refused += tally.refused;
+            continue;
+        }
+        SCOPED_TRACE(allSolvers()[s].name);
+        EXPECT_GT(tally.solved, tally.calls / 2);
+        EXPECT_GT(tally.solvable, 400);
+        EXPECT_EQ(0, tally.badPose);
+        EXPECT_EQ(0, tally.badResult);
+        EXPECT_EQ(0, tally.foreignException);
+        EXPECT_EQ(0, tally.inputChanged);
+        EXPECT_EQ(0, tally.outputTouched);
+        EXPECT_EQ(0, tally.refused);
+    }
+    EXPECT_GT(badPoses, 0);
+    EXPECT_GT(refused, 0);
+    EXPECT_GT(found.tallies[SEARCHED_SOLVER].searched, 20);
+    EXPECT_EQ(0, found.tallies[SEARCHED_SOLVER].above);
+    for (const Failure& failure : found.failures)
+        EXPECT_TRUE(failure.what != "exception") << "problem " << failure.index;
+}
+
+TEST(Reliability, ProblemsAreWhatTheySay)
+{
+    std::vector<int> shapes(SHAPES, 0);
+    int solvable = 0, corrupt = 0, guesses = 0;
+    for (int index = 0; index < 2000; ++index) {
+        const Problem a = randomProblem(1, index), b = randomProblem(1, index);
+        ASSERT_EQ(a.n, a.points.rows);
+        ASSERT_EQ(a.n, b.points.rows);
+        if (a.n > 0) {
+            EXPECT_EQ(0, std::memcmp(a.points[0], b.points[0], a.points.total() * sizeof(double)));
+        }
+        shapes[static_cast<size_t>(a.shape)]++;
+        solvable += a.solvable();
+        corrupt += a.corrupt;
+        guesses += a.hasGuess();
+    }
+    for (const int count : shapes)
+        EXPECT_GT(count, 2000 / SHAPES / 2);
+    EXPECT_GT(solvable, 200);
+    EXPECT_GT(corrupt, 10);
+    EXPECT_GT(guesses, 500);
+}
+
+// Exact data of a solvable problem: the truth explains every point.
+TEST(Reliability, TheTruthIsThePose)
+{
+    for (int index = 0; index < 2000; ++index) {
+        const Problem problem = randomProblem(1, index);
+        if (!problem.solvable() || problem.objectNoise > 0 || problem.rayNoise > 0)
+            continue;
+        const double rounding = 1e-14 * (10 + problem.offset + problem.distance) * problem.scale;
+        for (int i = 0; i < problem.n; ++i) {
+            const Vector3d p(problem.points(i, 0), problem.points(i, 1), problem.points(i, 2));
+            const Vector3d m(problem.rays(i, 0), problem.rays(i, 1), problem.rays(i, 2));
+            EXPECT_LT(m.cross(problem.truth * p).norm(), rounding) << "problem " << index;
+        }
+    }
+}
+
+}  // namespace
