@@ -208,8 +208,8 @@ void Array::arrange(Bytes& bytes, Mat m)
         m = m.reshape(m.cols, 1);
     else if (layout == 3 && !m.empty())
         m = m.t();
-    else if (layout == 4)
-        m = m.rowRange(0, std::max(0, m.rows - 1)).clone();
+    else if (layout == 4 && !m.empty())
+        m = m.rowRange(0, m.rows - 1).clone();
     else if (layout == 5 || layout == 6)
         m = anyMat(bytes);
     else if (layout == 7 && !m.empty())
