@@ -9,6 +9,7 @@
 
 namespace cv {
 namespace gmlpnp {
+
 CameraModel::~CameraModel() = default;
 
 void CameraModel::write(FileStorage&) const

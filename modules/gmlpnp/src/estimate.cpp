@@ -97,7 +97,7 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
     const int n = data.size();
     const bool isotropicStart = isIsotropic(noise);
     std::vector<double> c(stopping.robust ? n : 0);
-    PassOptions options{leverArmOf(kind), NO_PRODUCTS, stopping.robust ? c.data() : nullptr};
+    PassOptions options{leverArmOf(kind), NO_PRODUCTS, stopping.robust ? c.data() : nullptr, true};
     const auto pass = [&](const Pose& pose, const Noise& at) { return rayPass(data, pose, at, options); };
     Estimate now;
     now.pose = start;
@@ -142,7 +142,7 @@ namespace {
 Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, const Stopping& stopping)
 {
     const NoiseKind kind = ofPart.kind;
-    PassOptions options{leverArmOf(kind), productsFor(kind), nullptr};
+    PassOptions options{leverArmOf(kind), productsFor(kind), nullptr, true};
     Estimate now = ofPart;
     now.sums = rayPass(data, now.pose, now.noise, options);
     const Vector6d xi = gaussNewtonStep(now.sums);

@@ -24,12 +24,13 @@ struct PointArrays
     int size;
 };
 
-/** Sums of products of Q: the curvature of L by an object noise or by a bearing noise. */
+/** Sums of products of Q: the curvature of L by an object noise, by a bearing noise, or by one and the other. */
 enum Products
 {
     NO_PRODUCTS,
     OF_OBJECT,
-    OF_BEARING
+    OF_BEARING,
+    OF_OBJECT_AND_BEARING
 };
 
 /** A pose and a noise; symmetric matrices as xx xy xz yy yz zz. */
@@ -41,6 +42,7 @@ struct PassInput
     double tail;      //!< 1/nu; 0: Gaussian, a shorter loop
     double lever;     //!< share of R Sigma R^T z that is taken off the lever arm, 0 or 1
     Products products;
+    bool sampled;  //!< products of every fourth group of four points only
     double* c;  //!< receives each point's squared Mahalanobis residual; null: not wanted
 };
 
@@ -55,7 +57,8 @@ struct ScaledProduct
 struct PassSums
 {
     double Hpp[6]{}, Hpd[9]{}, Hdd[6]{}, Zo[6]{}, Go[6]{}, Zb[6]{}, Gb[6]{}, gp[3]{}, gd[3]{}, c{}, c2{};
-    double QQ[21]{};  //!< of `inProducts` points: sum of Q_a Q_b or s^4 Q_a Q_b, a <= b of xx xy xz yy yz zz
+    //! Of `inProducts` points: sum of Q_a Q_b, s^4 Q_a Q_b or s^2 Q_a Q_b, a <= b of xx xy xz yy yz zz.
+    double QQ[21]{};
     int inProducts{};
     ScaledProduct D, tailed;      //!< product of D, of 1 + c / nu
     unsigned long long behind{};  //!< points with s < 0

@@ -256,6 +256,15 @@ GMLPNP_INLINE void addProducts(const Sym3<T>& Q, T weight, T* sums)
     }
 }
 
+// What the products are weighed by.
+template <class T>
+GMLPNP_INLINE T depthWeight(Products products, T s2)
+{
+    if (products == OF_OBJECT)
+        return Lanes<T>::spread(1);
+    return products == OF_BEARING ? s2 * s2 : s2;
+}
+
 // What a loop does not need is left out of it at compile time.
 enum Features
 {
@@ -285,13 +294,13 @@ struct PassState
           adjS(adjugate(S_o)),
           tail(Lanes<T>::spread(in.tail)),
           lever(Lanes<T>::spread(in.lever)),
-          ofBearing(in.products == OF_BEARING)
+          products(in.products)
     {}
 
     const Vec3<T> R[3], t;
     const Sym3<T> S_o, Gamma, adjS;
     const T tail, lever;
-    const bool ofBearing;
+    const Products products;
 };
 
 template <int FEATURES, class T>
@@ -343,7 +352,7 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>
         sums.Gb += s2 * Q;
     }
     if constexpr ((FEATURES & PRODUCTS) != 0)
-        addProducts(Q, at.ofBearing ? s2 * s2 : Lanes<T>::spread(1), sums.QQ);
+        addProducts(Q, depthWeight(at.products, s2), sums.QQ);
     sums.c += c;
     sums.c2 += c * c;
     sums.D *= D;
@@ -351,8 +360,8 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>
     return c;
 }
 
-// The products steer the scoring only: a quarter of the points tells enough. Every fourth group of four.
-GMLPNP_INLINE bool inProducts(int i)
+// Where the products steer the scoring only, a quarter of the points tells enough: every fourth group of four.
+GMLPNP_INLINE bool inSample(int i)
 {
     return i % 16 < 4;
 }
@@ -370,7 +379,7 @@ void addRange(const PointArrays& data, const PassInput& in, int first, int last,
             knownRay = load6<T>(data.known + 6, i);
         }
         const Vec3<T> p = load3<T>(data.point, i), m = load3<T>(data.ray, i);
-        const T c = (FEATURES & PRODUCTS) != 0 && !inProducts(i)
+        const T c = (FEATURES & PRODUCTS) != 0 && in.sampled && !inSample(i)
                         ? addPoint<FEATURES & ~PRODUCTS>(at, p, m, knownObject, knownRay, sums)
                         : addPoint<FEATURES>(at, p, m, knownObject, knownRay, sums);
         if (in.c)
@@ -420,7 +429,7 @@ void pass(const PointArrays& data, const PassInput& in, PassSums& out)
     for (double entry : in.Gamma)
         bearing = bearing || entry != 0;
     out = PassSums();
-    out.inProducts = data.size / 16 * 4 + (data.size % 16 < 4 ? data.size % 16 : 4);
+    out.inProducts = in.sampled ? data.size / 16 * 4 + (data.size % 16 < 4 ? data.size % 16 : 4) : data.size;
     if (data.known[0])
         passWith<T, KNOWN>(data, in, out);
     else if (bearing)

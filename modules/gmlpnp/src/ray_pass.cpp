@@ -130,6 +130,7 @@ RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& nois
     input.tail = noise.tail;
     input.lever = options.lever == LeverArm::CORRECTED ? 1 : 0;
     input.products = options.products;
+    input.sampled = options.sampled;
     input.c = options.c;
     PassSums sums;
     kernels.pass(data.arrays(), input, sums);

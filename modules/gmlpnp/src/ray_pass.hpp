@@ -49,6 +49,7 @@ struct PassOptions
     LeverArm lever = LeverArm::CORRECTED;
     Products products = NO_PRODUCTS;  //!< RaySums::QQ
     double* c = nullptr;              //!< receives each point's squared Mahalanobis residual
+    bool sampled = false;             //!< RaySums::QQ from a quarter of the points
 };
 
 /** Sums over the points that a round needs. */
@@ -58,13 +59,11 @@ struct RaySums
     Vector6d g;       //!< sum w J^T zTilde, gradient of the residual part of L with respect to xi, through S(R, s)
     Matrix3d Zo, Go;  //!< sum w z z^T, sum Q: for Sigma, camera frame
     Matrix3d Zb, Gb;  //!< sum w s^2 z z^T, sum s^2 Q: for Gamma
-    //! If asked for, sum q q^T or s^4 q q^T of q = Q_xx Q_xy Q_xz Q_yy Q_yz Q_zz; from a quarter of the points, for
-    //! all.
-    Matrix6d QQ;
-    double L;       //!< negative log-likelihood, nat: 1/2 sum log D + misfit
-    double misfit;  //!< 1/2 sum c, or 1/2 (nu + 2) sum log(1 + c / nu)
-    double c, c2;   //!< sum c, sum c^2
-    int inFront;    //!< points with s >= 0
+    Matrix6d QQ;      //!< sum q q^T (or by s^4, s^2), q = Q_xx Q_xy Q_xz Q_yy Q_yz Q_zz; if asked for
+    double L;         //!< negative log-likelihood, nat: 1/2 sum log D + misfit
+    double misfit;    //!< 1/2 sum c, or 1/2 (nu + 2) sum log(1 + c / nu)
+    double c, c2;     //!< sum c, sum c^2
+    int inFront;      //!< points with s >= 0
 };
 
 /** Terms of one point; the readable twin of the pass. `S_o` is R Sigma R^T; both with what is known of the point. */

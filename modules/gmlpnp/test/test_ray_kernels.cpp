@@ -103,8 +103,8 @@ TEST(Gmlpnp_RayKernels, passesAgreeWithTheScalarOne)
                 noise.Gamma = noises.bearing ? randomNoise(rng, 0.05) : Matrix3d(Matrix3d::Zero());
                 noise.tail = noises.tails ? 0.2 : 0;
                 std::vector<double> c(n), cScalar(n);
-                const RaySums found = rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, c.data()}, *kernels);
-                expectSame(rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, cScalar.data()},
+                const RaySums found = rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, c.data(), n > 7}, *kernels);
+                expectSame(rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, cScalar.data(), n > 7},
                                    *availableKernels().back()),
                            found, n);
                 for (int i = 0; i < n; ++i)
@@ -119,20 +119,26 @@ TEST(Gmlpnp_RayKernels, productsAreThoseOfQ)
     const Correspondences data = randomData(rng, 23, false);
     const Pose pose = somePose(rng);
     const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), 0};
-    Matrix6d object = Matrix6d::Zero(), bearing = Matrix6d::Zero();
-    const double share = 8. / data.size();
-    for (int i : {0, 1, 2, 3, 16, 17, 18, 19}) {
-        const PointTerms at = pointTerms(data, i, pose, noise);
-        Vector6d q;
-        q << at.Q(0, 0), at.Q(0, 1), at.Q(0, 2), at.Q(1, 1), at.Q(1, 2), at.Q(2, 2);
-        object += 1 / share * q * q.transpose();
-        bearing += 1 / share * std::pow(at.s, 4) * q * q.transpose();
+    for (bool sampled : {false, true}) {
+        Matrix6d object = Matrix6d::Zero(), bearing = object, mixed = object;
+        for (int i = 0; i < data.size(); ++i) {
+            if (sampled && i % 16 >= 4)
+                continue;
+            const double weight = sampled ? data.size() / 8. : 1;
+            const PointTerms at = pointTerms(data, i, pose, noise);
+            Vector6d q;
+            q << at.Q(0, 0), at.Q(0, 1), at.Q(0, 2), at.Q(1, 1), at.Q(1, 2), at.Q(2, 2);
+            object += weight * q * q.transpose();
+            bearing += weight * std::pow(at.s, 4) * q * q.transpose();
+            mixed += weight * at.s * at.s * q * q.transpose();
+        }
+        const auto sumsOf = [&](Products products) {
+            return rayPass(data, pose, noise, {LeverArm::CORRECTED, products, nullptr, sampled}).QQ;
+        };
+        EXPECT_TRUE(matrixNear(sumsOf(OF_OBJECT), object, 1e-9 * object.norm()));
+        EXPECT_TRUE(matrixNear(sumsOf(OF_BEARING), bearing, 1e-9 * bearing.norm()));
+        EXPECT_TRUE(matrixNear(sumsOf(OF_OBJECT_AND_BEARING), mixed, 1e-9 * mixed.norm()));
     }
-    const auto sumsOf = [&](Products products) {
-        return rayPass(data, pose, noise, {LeverArm::CORRECTED, products, nullptr}).QQ;
-    };
-    EXPECT_TRUE(matrixNear(sumsOf(OF_OBJECT), object, 1e-9 * object.norm()));
-    EXPECT_TRUE(matrixNear(sumsOf(OF_BEARING), bearing, 1e-9 * bearing.norm()));
 }
 
 TEST(Gmlpnp_RayKernels, preparedColumnsAreCentredAndUnit)
