@@ -202,9 +202,11 @@ Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const
 struct Rival
 {
     Estimate estimate;
-    double penalty;  // nat
+    double penalty;    // nat
+    double prior = 0;  // nat, where the data cannot tell
 
     double L() const { return estimate.sums.L + penalty; }
+    double posterior() const { return L() + prior; }
 };
 
 // The pose has fitted away six of the 2n residual coordinates; what was estimated from them is that much too small.
@@ -219,30 +221,51 @@ Noise restricted(const Estimate& estimate, int n)
     return noise;
 }
 
-// The posterior mean of the pose over the kinds of noise: where the data cannot tell bearing noise from object noise
-// (one depth), the two pull the pose to either side of the truth along the viewing direction.
-Estimate averaged(const Correspondences& data, const Rival* rivals, int count, bool evaluate)
+// Means of the poses' deviations from one of them and of their squares, weighed by e^-cost.
+struct PoseMoments
 {
-    const Rival& best =
-        *std::min_element(rivals, rivals + count, [](const Rival& a, const Rival& b) { return a.L() < b.L(); });
-    Estimate out = best.estimate;
-    double total = 0;
     Vector6d mean = Vector6d::Zero();
     Matrix6d square = Matrix6d::Zero();
+};
+
+template <class Cost>
+PoseMoments poseMoments(const Rival* rivals, int count, const Pose& origin, const Cost& cost)
+{
+    PoseMoments out;
+    double least = std::numeric_limits<double>::infinity(), total = 0;
+    for (const Rival* rival = rivals; rival != rivals + count; ++rival)
+        least = std::min(least, cost(*rival));
     for (const Rival* rival = rivals; rival != rivals + count; ++rival) {
-        if (rival != &best)
-            out.evidence = std::min(out.evidence, rival->L() - best.L());
-        const double weight = std::exp(best.L() - rival->L());
+        const double weight = std::exp(least - cost(*rival));
         if (!(weight > NEGLIGIBLE))
             continue;
-        const Vector6d xi = difference(rival->estimate.pose, best.estimate.pose);
+        const Vector6d xi = difference(rival->estimate.pose, origin);
         total += weight;
-        mean += weight * xi;
-        square += weight * xi * xi.transpose();
+        out.mean += weight * xi;
+        out.square += weight * xi * xi.transpose();
     }
-    mean /= total;
-    out.spread = square / total - mean * mean.transpose();
-    out.pose = perturbed(best.estimate.pose, mean);
+    out.mean /= total;
+    out.square /= total;
+    return out;
+}
+
+// The posterior mean of the pose over the kinds of noise: where the data cannot tell bearing noise from object noise
+// (one depth), the two pull the pose to either side of the truth along the viewing direction. What the prior decided is
+// no knowledge: the spread about that mean is by the likelihoods alone.
+Estimate averaged(const Correspondences& data, const Rival* rivals, int count, bool evaluate)
+{
+    const Rival& best = *std::min_element(rivals, rivals + count,
+                                          [](const Rival& a, const Rival& b) { return a.posterior() < b.posterior(); });
+    Estimate out = best.estimate;
+    for (const Rival* rival = rivals; rival != rivals + count; ++rival)
+        if (rival != &best)
+            out.evidence = std::min(out.evidence, std::max(0., rival->L() - best.L()));
+    const Pose& origin = best.estimate.pose;
+    const Vector6d mean = poseMoments(rivals, count, origin, [](const Rival& r) { return r.posterior(); }).mean;
+    const PoseMoments likely = poseMoments(rivals, count, origin, [](const Rival& r) { return r.L(); });
+    out.spread =
+        likely.square - likely.mean * mean.transpose() - mean * likely.mean.transpose() + mean * mean.transpose();
+    out.pose = perturbed(origin, mean);
     out.noise = restricted(out, data.size());
     const bool far = !(0.5 * mean.dot(best.estimate.sums.H * mean) < RISE);
     if (evaluate || far)
@@ -250,7 +273,7 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, b
     // Between two minima the mean is no pose that anything speaks for.
     if (far && !accepted(true, best.estimate.sums, out.sums, data.size())) {
         out.pose = best.estimate.pose;
-        out.spread = square / total;
+        out.spread = likely.square;
         out.sums = rayPass(data, out.pose, out.noise);
     }
     return out;
@@ -261,7 +284,8 @@ struct Contender
 {
     NoiseKind kind;
     IsotropicNoise start;
-    double penalty;  // nat
+    double penalty;    // nat
+    double prior = 0;  // nat
 
     double cost() const { return start.cost + penalty; }
 };
@@ -274,6 +298,12 @@ struct Race
     double evidence;  // nat, of the first over the best that was left out
 };
 
+// An object of little depth looks the same with either noise, but not at the same distance: noise in its points makes
+// it larger than its picture says, noise in the picture smaller. No number of points tells; what is seen so is mostly
+// known well (a marker, a model), and the pixels are not. [nat] in favour of bearing noise, and the relative variance
+// of s^2 by which the data begin to tell.
+constexpr double COMPACT_PRIOR = 8, COMPACT = 0.02;
+
 Race contenders(const IsotropicSplit& split)
 {
     // What anisotropy may make up for [nat]; measured: a wider margin changes no figure.
@@ -282,9 +312,9 @@ Race contenders(const IsotropicSplit& split)
     // asks.
     constexpr double BOTH_MARGIN = 1;
 
-    std::array<Contender, 3> all = {Contender{NoiseKind::OBJECT, split.object, 0},
-                                    Contender{NoiseKind::BEARING, split.bearing, 0},
-                                    Contender{NoiseKind::BOTH, split.both, PENALTY}};
+    std::array<Contender, 3> all = {
+        Contender{NoiseKind::OBJECT, split.object, 0, COMPACT_PRIOR * std::exp(-split.depth2Variance / COMPACT)},
+        Contender{NoiseKind::BEARING, split.bearing, 0}, Contender{NoiseKind::BOTH, split.both, PENALTY}};
     std::sort(all.begin(), all.end(), [](const Contender& a, const Contender& b) { return a.cost() < b.cost(); });
     Race race{all, 0, std::numeric_limits<double>::infinity()};
     for (const Contender& contender : all) {
@@ -339,13 +369,15 @@ Estimate estimateOther(const Correspondences& data, const Pose& start, const Kno
 // Those that the part has not ruled out, over all points; how many.
 int overAll(const Correspondences& data, Rival* rivals, int count, int size, const Stopping& stopping)
 {
-    double best = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < count; ++k)
-        best = std::min(best, rivals[k].L());
+    double likeliest = std::numeric_limits<double>::infinity(), best = likeliest;
+    for (int k = 0; k < count; ++k) {
+        likeliest = std::min(likeliest, rivals[k].L());
+        best = std::min(best, rivals[k].posterior());
+    }
     int kept = 0;
     for (int k = 0; k < count; ++k)
-        if (std::exp(best - rivals[k].L()) > NEGLIGIBLE)
-            rivals[kept++] = {overAll(data, rivals[k].estimate, size, stopping), rivals[k].penalty};
+        if (std::exp(likeliest - rivals[k].L()) > NEGLIGIBLE || std::exp(best - rivals[k].posterior()) > NEGLIGIBLE)
+            rivals[kept++] = {overAll(data, rivals[k].estimate, size, stopping), rivals[k].penalty, rivals[k].prior};
     return kept;
 }
 
@@ -370,10 +402,12 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
     for (int k = 0; k < race.count; ++k) {
         const Contender& next = race.contenders[k];
         // A kind starts where the one before it ended.
-        const Noise noise = k == 0 ? isotropic(next.start.a, next.start.b)
-                                   : inShapeOf(rivals[k - 1].estimate, split.meanDepth2, next.start);
+        Noise noise = isotropic(next.start.a, next.start.b);
+        noise.tail = stopping.tail;
+        if (k > 0)
+            noise = inShapeOf(rivals[k - 1].estimate, split.meanDepth2, next.start);
         const Pose& from = k == 0 ? start : rivals[k - 1].estimate.pose;
-        rivals[k] = {alternate(fitted, from, noise, next.kind, fitting), next.penalty};
+        rivals[k] = {alternate(fitted, from, noise, next.kind, fitting), next.penalty, next.prior};
         rivals[k].estimate.evidence = race.evidence;
     }
     const int count = part ? overAll(data, rivals.data(), race.count, part->size(), fitting) : race.count;

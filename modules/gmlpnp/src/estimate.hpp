@@ -18,6 +18,7 @@ struct Stopping
     double tolerance;      //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
     bool robust = false;   //!< whether the tails are estimated too
     bool evaluate = true;  //!< sums at the pose that comes out; false: they may be those one small step before
+    double tail = 0;       //!< 1/nu at the start; it stays where the tails are not estimated
 };
 
 /** Change of L [nat] that no longer matters: a tenth of a nat moves the pose by a fraction of its standard deviation.

@@ -113,7 +113,8 @@ IsotropicSplit splitResiduals(const Correspondences& data, const Pose& pose)
     const double freedom = 2. * n / std::max(2 * n - 6, 1);  // the pose took six of the 2n residual coordinates
     return {of.withCost(freedom * aOnly, 0),
             of.withCost(freedom * BEARING_ONLY_SHARE * bOnly * meanDepth2, freedom * bOnly),
-            of.withCost(freedom * line.a, freedom * line.b), meanDepth2};
+            of.withCost(freedom * line.a, freedom * line.b), meanDepth2,
+            of.x.square().mean() / (meanDepth2 * meanDepth2) - 1};
 }
 
 namespace {

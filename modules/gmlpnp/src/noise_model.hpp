@@ -53,7 +53,8 @@ struct IsotropicNoise
 struct IsotropicSplit
 {
     IsotropicNoise object, bearing, both;
-    double meanDepth2;  //!< mean s^2 [length^2]
+    double meanDepth2;      //!< mean s^2 [length^2]
+    double depth2Variance;  //!< variance of s^2, of the square of its mean
 };
 CV_EXPORTS IsotropicSplit splitResiduals(const Correspondences& data, const Pose& pose);
 
@@ -83,6 +84,15 @@ constexpr double TAIL_PENALTY = 1;
 
 /** The noise of the next round by Fisher scoring; OBJECT or BEARING, `sums` with the products of that kind. */
 CV_EXPORTS Noise scoredNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R);
+
+/** tr(A E) of the six symmetric unit matrices E, xx xy xz yy yz zz, whose two entries are 1. */
+Vector6d againstUnits(const Matrix3d& A);
+
+/** sum 1/2 tr(Q E Q E') for all pairs of units, from RaySums::QQ: expected curvature of L. */
+Matrix6d curvature(const Matrix6d& QQ);
+
+/** Share of the Gaussian information that a residual carries about the scale matrix of a Student-t. */
+double tailInformation(double tail);
 
 /** Sigma and Gamma of the next round: the published update, or accelerated MM and shrinkage. */
 CV_EXPORTS Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R, int n);

@@ -22,7 +22,8 @@ namespace {
 constexpr int FIRST[6] = {0, 0, 0, 1, 1, 2}, SECOND[6] = {0, 1, 2, 1, 2, 2};  // xx xy xz yy yz zz
 constexpr int ENTRY[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
-// tr(A E) of the symmetric unit matrices E, whose two entries are 1.
+}  // namespace
+
 Vector6d againstUnits(const Matrix3d& A)
 {
     Vector6d out;
@@ -31,7 +32,6 @@ Vector6d againstUnits(const Matrix3d& A)
     return out;
 }
 
-// tr(Q E Q E') / 2 summed, for all pairs of units, from the sums of products of Q's entries.
 Matrix6d curvature(const Matrix6d& QQ)
 {
     Matrix6d F;
@@ -43,6 +43,13 @@ Matrix6d curvature(const Matrix6d& QQ)
         }
     return F;
 }
+
+double tailInformation(double tail)
+{
+    return (1 + 2 * tail) / (1 + 4 * tail);
+}
+
+namespace {
 
 struct Prior
 {
@@ -75,10 +82,8 @@ Matrix3d moved(const Matrix3d& C, const Matrix3d& step)
 
 Matrix3d scored(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, const Matrix6d& QQ, double tail)
 {
-    // Student-t: the share of the information that a residual of its scale matrix carries.
-    const double share = (1 + 2 * tail) / (1 + 4 * tail);
     const Prior pull = prior(C, SHRINKAGE);
-    const Matrix6d F = share * curvature(QQ) + pull.curvature;
+    const Matrix6d F = tailInformation(tail) * curvature(QQ) + pull.curvature;
     const Vector6d score = 0.5 * againstUnits(Z - G) + pull.score;
     const CholeskyFactor<6> cholesky(F);
     const Vector6d step = cholesky.positiveDefinite() ? cholesky.solve(score) : Vector6d(F.ldlt().solve(score));

@@ -63,11 +63,9 @@ Matrix6d poseCovariance(const Estimate& estimate, int n)
 {
     const UnitDiagonal H(estimate.sums.H);
     const Matrix6d inverse = H.matrix.ldlt().solve(Matrix6d::Identity());
-    // Student-t: a residual carries (nu + 2) / (nu + 4) of the information its scale matrix promises.
-    const double tail = (1 + 4 * estimate.noise.tail) / (1 + 2 * estimate.noise.tail);
-    const Matrix6d covariance =
-        smallSample(estimate.kind, n) * tail * (H.scale.asDiagonal() * inverse * H.scale.asDiagonal()) +
-        estimate.spread;
+    const Matrix6d covariance = smallSample(estimate.kind, n) / tailInformation(estimate.noise.tail) *
+                                    (H.scale.asDiagonal() * inverse * H.scale.asDiagonal()) +
+                                estimate.spread;
     return symmetrised(covariance);
 }
 
