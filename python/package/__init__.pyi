@@ -112,6 +112,8 @@ class Result:
     cameraCenterCovariance: Optional[_Float64]
     objectNoise: Optional[_Float64]
     bearingNoise: Optional[_Float64]
+    objectNoiseStdErr: Optional[_Float64]
+    bearingNoiseStdErr: Optional[_Float64]
     objectNoiseRank: int
     noiseModel: int
     noiseEvidence: float

@@ -135,6 +135,11 @@ void addResult(py::module_& m)
              "Sigma, (3, 3), noise of the object points, object frame, length^2: estimated, or as given.")
         .add("bearingNoise", &Result::bearingNoise,
              "Gamma, (3, 3), noise of the unit rays, camera frame, rad^2: estimated, or as given.")
+        .add("objectNoiseStdErr", &Result::objectNoiseStdErr,
+             "(3, 3) standard errors of the entries of objectNoise, length^2, both noises taken for unknown; far above "
+             "its trace where the data do not tell. None where it was given, and for the published method.")
+        .add("bearingNoiseStdErr", &Result::bearingNoiseStdErr,
+             "(3, 3) standard errors of the entries of bearingNoise, rad^2; likewise.")
         .add("objectNoiseRank", &Result::objectNoiseRank,
              "Numerical rank of objectNoise; below 3 it is no estimate of the noise along its null space.")
         .add("noiseModel", &Result::noiseModel, "One of NOISE_...: the likeliest explanation of the residuals.")

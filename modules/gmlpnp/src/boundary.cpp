@@ -283,6 +283,10 @@ Result toResult(const Solution& solution, Status status, const Input& input)
     }
     out.objectNoise = toMat(solution.noise.Sigma);
     out.bearingNoise = toMat(solution.noise.Gamma);
+    if (solution.objectError)
+        out.objectNoiseStdErr = toMat(*solution.objectError);
+    if (solution.bearingError)
+        out.bearingNoiseStdErr = toMat(*solution.bearingError);
     constexpr double NUMERICAL_RANK = 1e-6;  // of the largest variance
     out.objectNoiseRank = rank(solution.noise.Sigma, NUMERICAL_RANK);
     out.noiseModel = noiseModelOf(solution.kind);

@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 
 #include "initial_pose.hpp"
+#include "noise_estimate.hpp"
 #include "solve.hpp"
 
 namespace cv {
@@ -49,21 +50,42 @@ bool sound(const Estimate& estimate, int n)
            2 * estimate.sums.inFront > n;
 }
 
-std::vector<double> weights(const Correspondences& data, const Estimate& found)
+// Weights of the tails, from squared residuals.
+std::vector<double> weights(std::vector<double> c, double tail)
 {
-    const double tail = found.noise.tail;
-    std::vector<double> out(data.size(), 1.);
-    if (tail == 0)
-        return out;
-    rayPass(data, found.pose, found.noise, {LeverArm::CORRECTED, NO_PRODUCTS, out.data()});
-    for (double& c : out)
-        c = (1 + 2 * tail) / (1 + tail * c);
-    return out;
+    for (double& entry : c)
+        entry = (1 + 2 * tail) / (1 + tail * entry);
+    return c;
+}
+
+// What solve() returns beside the pose: the noise for its own sake, the uncertainties, the weights.
+void addExtras(const Correspondences& data, const Estimate& found, const Options& options, Solution& solution)
+{
+    const int n = data.size();
+    const double area = data.scale * data.scale;
+    const bool published = found.kind == NoiseKind::PUBLISHED || options.method == SOLVEPNP_GMLPNP;
+    NoiseEstimate estimate =
+        estimatedNoise(data, found, options.Sigma.has_value() || published, options.Gamma.has_value() || published);
+    // At the noise that is returned, too, a guess is not made worse.
+    if (options.guess &&
+        rayPass(data, data.fromObject(*options.guess), estimate.noise).L < rayPass(data, found.pose, estimate.noise).L)
+        estimate.noise = found.noise;
+    std::vector<double> c(n);
+    const RaySums sums = rayPass(data, found.pose, estimate.noise, {LeverArm::CORRECTED, NO_PRODUCTS, c.data()});
+    solution.cost += sums.L - found.sums.L;
+    solution.noise.Sigma = area * estimate.noise.Sigma;
+    solution.noise.Gamma = estimate.noise.Gamma;
+    if (!options.Sigma && !published)
+        solution.objectError = area * estimate.objectError;
+    if (!options.Gamma && !published)
+        solution.bearingError = estimate.bearingError;
+    if (n > 3 || (options.Sigma && options.Gamma))
+        solution.covariance = rescaled(poseCovariance(found, n), data.scale);
+    solution.weights = weights(std::move(c), estimate.noise.tail);
 }
 
 Solution toCaller(const Correspondences& data, const Estimate& found, const Options& options)
 {
-    const int n = data.size();
     const double area = data.scale * data.scale;
     Solution solution{data.toObject(found.pose),
                       {area * found.noise.Sigma, found.noise.Gamma, found.noise.tail},
@@ -71,17 +93,16 @@ Solution toCaller(const Correspondences& data, const Estimate& found, const Opti
                       found.evidence,
                       found.rounds,
                       found.converged,
-                      found.sums.L + 2 * n * std::log(data.scale),
+                      found.sums.L + 2 * data.size() * std::log(data.scale),
                       std::nullopt,
-                      {}};
+                      {},
+                      std::nullopt,
+                      std::nullopt};
+    if (options.extras)
+        addExtras(data, found, options, solution);
     // Known noise goes back as it came; the solver's is floored.
     solution.noise.Sigma = options.Sigma.value_or(solution.noise.Sigma);
     solution.noise.Gamma = options.Gamma.value_or(solution.noise.Gamma);
-    if (!options.extras)
-        return solution;
-    if (n > 3 || (options.Sigma && options.Gamma))
-        solution.covariance = rescaled(poseCovariance(found, n), data.scale);
-    solution.weights = weights(data, found);
     return solution;
 }
 
@@ -149,7 +170,10 @@ Status solveAll(const Observations& observations, const Options& options, std::v
     solutions.clear();
     for (const Estimate& each : found)
         solutions.push_back(toCaller(data, each, options));
-    return found.front().converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS;
+    // The noise that is returned may judge near equals otherwise than the one that weighed them.
+    std::stable_sort(solutions.begin(), solutions.end(),
+                     [](const Solution& a, const Solution& b) { return a.cost < b.cost; });
+    return solutions.front().converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS;
 }
 
 }  // namespace detail

@@ -25,7 +25,7 @@ struct Options
     std::optional<Pose> guess;
     KnownNoise Sigma, Gamma;
     bool everyMinimum = false;  //!< also those that noise cannot have swapped with the best
-    bool extras = true;         //!< covariance and weights
+    bool extras = true;         //!< covariance, noise for its own sake, weights
 };
 
 /** What a solve found, object frame and caller's units. */
@@ -38,8 +38,9 @@ struct Solution
     int rounds;
     bool converged;
     double cost;
-    std::optional<Matrix6d> covariance;  // of xi; none without degrees of freedom to judge it by
-    std::vector<double> weights;         // of the tails
+    std::optional<Matrix6d> covariance;                 // of xi; none without degrees of freedom to judge it by
+    std::vector<double> weights;                        // of the tails
+    std::optional<Matrix3d> objectError, bearingError;  // standard errors of the entries of an estimated noise
 };
 
 /** The distinct poses, best first, with their noise; with a status that is not a success `solutions` is untouched. */

@@ -111,13 +111,20 @@ struct CV_EXPORTS_W_SIMPLE Result
     CV_PROP_RW Mat cameraCenterCovariance;  //!< 3x3, object frame, length^2; empty as above
     CV_PROP_RW Mat objectNoise;             //!< Sigma, 3x3, object frame, length^2: estimated, or as given
     CV_PROP_RW Mat bearingNoise;            //!< Gamma, 3x3, camera frame, rad^2: estimated, or as given
+    //! Standard errors of the entries of objectNoise, 3x3, length^2, where it was estimated; empty where it was given,
+    //! and for the published method, whose covariance is none of the noise. They take both noises for unknown (unless
+    //! one was given), whatever noiseModel says. An error far above the trace of the noise says that the data do not
+    //! tell: along the rays in a narrow view, and object noise from bearing noise where all depths are alike. The entry
+    //! itself is then drawn towards isotropy and means nothing.
+    CV_PROP_RW Mat objectNoiseStdErr;
+    CV_PROP_RW Mat bearingNoiseStdErr;  //!< standard errors of the entries of bearingNoise, 3x3, rad^2; likewise
     //! Numerical rank of objectNoise. The published covariance collapses (a direction a round, Neyman-Scott): less
     //! than 3 means that objectNoise is no estimate of the noise along its null space.
     CV_PROP_RW int objectNoiseRank;
     CV_PROP_RW int noiseModel;  //!< one of #NoiseModel: the likeliest explanation of the residuals
     //! By how much the likelihood prefers it to the next best [nat]; infinity where there was no choice. Below about 3
-    //! the data cannot tell; the pose is then the mean over the explanations, weighed by their likelihoods, and
-    //! poseCovariance holds their spread.
+    //! the data cannot tell; the pose is then the mean over the explanations, weighed by their likelihoods (and for an
+    //! object of little depth by a prior for bearing noise), and poseCovariance holds their spread.
     CV_PROP_RW double noiseEvidence;
     //! Degrees of freedom of the Student-t whose scale matrices objectNoise and bearingNoise are; infinity: Gaussian,
     //! and they are covariances.

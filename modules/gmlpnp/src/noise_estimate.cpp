@@ -1,0 +1,157 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "precomp.hpp"
+
+#include "noise_estimate.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const Noise& noise)
+{
+    const auto block = [&](Products products) {
+        return curvature(rayPass(data, pose, noise, {LeverArm::CORRECTED, products, nullptr}).QQ);
+    };
+    Matrix12d F;
+    F.topLeftCorner<6, 6>() = block(OF_OBJECT);
+    F.bottomRightCorner<6, 6>() = block(OF_BEARING);
+    F.topRightCorner<6, 6>() = F.bottomLeftCorner<6, 6>() = block(OF_OBJECT_AND_BEARING);
+    return tailInformation(noise.tail) * F;
+}
+
+namespace {
+
+// Which of the two noises: both start as marked.
+struct Which
+{
+    bool object, bearing;
+};
+
+// The 12 entries in units of the isotropic variance at mean depth, so that nothing depends on lengths.
+struct Units
+{
+    Units(const Correspondences& data, const Pose& pose, const Noise& noise)
+    {
+        double depth2 = 0;
+        for (int i = 0; i < data.size(); ++i) {
+            const double s = data.rayAt(i).dot(pose * data.pointAt(i));
+            depth2 += s * s / data.size();
+        }
+        const double variance = (noise.Sigma.trace() + depth2 * noise.Gamma.trace()) / 3;
+        entry << Vector6d::Constant(variance), Vector6d::Constant(variance / depth2);
+    }
+
+    Vector12d entry;
+};
+
+// The rows and columns of what is not sought become those of the identity.
+Matrix12d restrictedTo(const Which& sought, Matrix12d F)
+{
+    for (int k = 0; k < 12; ++k)
+        if (k < 6 ? !sought.object : !sought.bearing) {
+            F.row(k).setZero();
+            F.col(k).setZero();
+            F(k, k) = 1;
+        }
+    return F;
+}
+
+// The pose took six of the 2n residual coordinates, and with them this share of their squares.
+double freedom(int n)
+{
+    return 2. * n / std::max(2 * n - 6, 1);
+}
+
+// Entries below this share of the largest variance are rounding or chance, and no weights for the next step.
+constexpr double SMALLEST_VARIANCE = 1e-3;
+
+Noise stepped(const Noise& noise, const Which& sought, const Vector12d& step, const Matrix3d& R)
+{
+    Noise next = noise;
+    if (sought.object)
+        next.Sigma = regular(floored(noise.Sigma + R.transpose() * symmetric(step.data()) * R, SMALLEST_VARIANCE), 0);
+    if (sought.bearing)
+        next.Gamma = regular(floored(noise.Gamma + symmetric(step.data() + 6), SMALLEST_VARIANCE), 0);
+    return next;
+}
+
+// Scoring with steps that hardly move what the data hardly observe: after k of them a direction whose information is f
+// has gone 1 - (damping / (damping + f))^k of its way.
+Noise scored(const Correspondences& data, const Estimate& found, const Which& sought, const Matrix12d& F,
+             const Units& units)
+{
+    constexpr int STEPS = 3;
+    constexpr double DAMPING = SHRINKAGE / 2;  // of a point
+    Vector12d damping;
+    damping << 1, 2, 2, 1, 2, 1, 1, 2, 2, 1, 2, 1;
+    Matrix12d A = units.entry.asDiagonal() * F * units.entry.asDiagonal();
+    A.diagonal() += DAMPING * damping;
+    const Eigen::LDLT<Matrix12d> solver(restrictedTo(sought, A));
+    Noise noise = found.noise;
+    for (int k = 0; k < STEPS; ++k) {
+        const RaySums sums = rayPass(data, found.pose, noise);
+        const double f = freedom(data.size());
+        Vector12d score;
+        score << againstUnits(f * sums.Zo - sums.Go), againstUnits(f * sums.Zb - sums.Gb);
+        score = 0.5 * units.entry.cwiseProduct(score);
+        score.head<6>() *= sought.object;
+        score.tail<6>() *= sought.bearing;
+        const Vector12d step = units.entry.cwiseProduct(solver.solve(score));
+        if (!step.allFinite())
+            break;
+        noise = stepped(noise, sought, step, found.pose.R);
+    }
+    return noise;
+}
+
+// Standard deviations of the entries of R^T C R, C with this covariance of its entries.
+Matrix3d entryDeviations(const Matrix6d& covariance, const Matrix3d& R)
+{
+    Matrix6d rotation;
+    for (int k = 0; k < 6; ++k) {
+        const Vector6d unit = Vector6d::Unit(k);
+        const Matrix3d turned = R.transpose() * symmetric(unit.data()) * R;
+        rotation.col(k) << turned(0, 0), turned(0, 1), turned(0, 2), turned(1, 1), turned(1, 2), turned(2, 2);
+    }
+    const Vector6d deviations = (rotation * covariance * rotation.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
+    return symmetric(deviations.data());
+}
+
+void addErrors(const Matrix12d& F, const Units& units, const Which& open, int n, const Matrix3d& R, NoiseEstimate& out)
+{
+    // Stands in for the information on what the data do not tell at all: an error of 1e5 times the noise.
+    constexpr double NOTHING = 1e-10;
+    Matrix12d A = units.entry.asDiagonal() * F * units.entry.asDiagonal();
+    A.diagonal().array() += NOTHING;
+    const Matrix12d inverse = restrictedTo(open, A).ldlt().solve(Matrix12d::Identity());
+    const Matrix12d covariance = freedom(n) * (units.entry.asDiagonal() * inverse * units.entry.asDiagonal());
+    if (open.object)
+        out.objectError = entryDeviations(covariance.topLeftCorner<6, 6>(), R);
+    if (open.bearing)
+        out.bearingError = entryDeviations(covariance.bottomRightCorner<6, 6>(), Matrix3d::Identity());
+}
+
+}  // namespace
+
+NoiseEstimate estimatedNoise(const Correspondences& data, const Estimate& found, bool givenObject, bool givenBearing)
+{
+    NoiseEstimate out{found.noise, Matrix3d::Zero(), Matrix3d::Zero()};
+    const Which open{!givenObject, !givenBearing};
+    if (!open.object && !open.bearing)
+        return out;
+    const Units units(data, found.pose, found.noise);
+    const Matrix12d F = noiseInformation(data, found.pose, found.noise);
+    const bool both = found.kind == NoiseKind::BOTH;
+    const Which sought{both || found.kind == NoiseKind::OBJECT, both || found.kind == NoiseKind::BEARING};
+    if (sought.object || sought.bearing)
+        out.noise = scored(data, found, sought, F, units);
+    addErrors(noiseInformation(data, found.pose, out.noise), units, open, data.size(), found.pose.R, out);
+    return out;
+}
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
