@@ -35,6 +35,38 @@ double squaredDistance(const Problem& problem, const Params& params)
     return xi.dot(C.ldlt().solve(xi));
 }
 
+struct Label
+{
+    std::string noise;
+    double field;
+    int n;
+    std::string solver;
+};
+
+// P(chi^2 < x) of six degrees of freedom.
+double chi2Of6(double x)
+{
+    const double h = x / 2;
+    return 1 - std::exp(-h) * (1 + h + h * h / 2);
+}
+
+// Squared distances (NEES) in classes of one, the last without an end.
+void writeHistogram(Csv& csv, const Label& label, const std::vector<double>& distances)
+{
+    constexpr int CLASSES = 24;
+    std::vector<int> counts(CLASSES, 0);
+    for (const double d : distances)
+        if (!std::isnan(d))
+            ++counts[static_cast<size_t>(std::min(d, CLASSES - 1.))];
+    const double total = std::max(1, countNumbers(distances));
+    for (int k = 0; k < CLASSES; ++k) {
+        const double end = k + 1 < CLASSES ? chi2Of6(k + 1) : 1;
+        csv << label.noise << label.field << label.n << label.solver << k << k + 1 << counts[k] / total
+            << end - chi2Of6(k);
+        csv.endRow();
+    }
+}
+
 }  // namespace
 
 void runCoverage(const Settings& settings)
@@ -48,6 +80,8 @@ void runCoverage(const Settings& settings)
     Csv csv(settings.folder, "coverage",
             std::vector<std::string>{"noise", "half_field_deg", "x", "solver", "trials"} + intervalColumns("coverage") +
                 std::vector<std::string>{"squared_distance_median"});
+    Csv histogram(settings.folder, "coverage_nees",
+                  {"noise", "half_field_deg", "x", "solver", "from", "to", "share", "expected"});
     int cell = 0;
     for (const Noises& noise : noises)
         for (const double field : fields)
@@ -69,10 +103,12 @@ void runCoverage(const Settings& settings)
                     csv << noise.name << field << n << names[s] << counted
                         << share(static_cast<int>(hits), std::max(counted, 1)) << median(distances[s]);
                     csv.endRow();
+                    writeHistogram(histogram, {noise.name, field, n, names[s]}, distances[s]);
                 }
                 ++cell;
             }
     csv.save();
+    histogram.save();
 }
 
 }  // namespace experiments

@@ -49,6 +49,10 @@ void runRounds(const Settings& settings);
 void runCovariance(const Settings& settings);
 void runCase(const Settings& settings);
 void runCoverage(const Settings& settings);
+void runRecovery(const Settings& settings);
+void runSmall(const Settings& settings);
+void runBias(const Settings& settings);
+void runTails(const Settings& settings);
 
 }  // namespace experiments
 

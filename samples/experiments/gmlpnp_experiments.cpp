@@ -86,6 +86,10 @@ const std::vector<Experiment>& allExperiments()
         {"omnidir", "a lens of 220 degrees", runWide},
         {"outliers", "wrong pixels, and points of five times the noise", runOutliers},
         {"coverage", "how often the 95 % ellipsoid of the pose holds the truth", runCoverage},
+        {"recovery", "the noise that comes out against the noise that went in", runRecovery},
+        {"small", "4 to 14 points: the default against isotropic noise", runSmall},
+        {"bias", "mean errors and signed depth errors: small objects, mixed noise", runBias},
+        {"tails", "estimated degrees of freedom against fixed ones", runTails},
     };
     return experiments;
 }

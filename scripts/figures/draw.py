@@ -204,7 +204,36 @@ def coverage(results):
     return fig
 
 
-PICTURES = [points, noise, time, guess, rounds, case, covariance, consistency, depth, pixels, omnidir, outliers, coverage]
+def nees(results):
+    """Histograms of the squared Mahalanobis distance of the truth, and chi square of six degrees of freedom."""
+    rows = [row for row in results.rows("coverage_nees") if row["solver"] == "GMLPnP marginal" and row["x"] >= 15]
+    cells, sizes = distinct([dict(row, cell=(row["noise"], row["half_field_deg"])) for row in rows], "cell"), distinct(
+        rows, "x")
+    fig, axes = plt.subplots(len(cells), len(sizes), figsize=(9.6, 8.4), sharex=True, sharey=True)
+    for line, (kind, field) in enumerate(cells):
+        for column, n in enumerate(sizes):
+            ax = axes[line, column]
+            mine = [r for r in rows if (r["noise"], r["half_field_deg"], r["x"]) == (kind, field, n)]
+            ax.bar([r["from"] for r in mine], [r["share"] for r in mine], width=1, align="edge",
+                   color=style("GMLPnP marginal")["color"], alpha=0.6)
+            ax.step([r["from"] for r in mine] + [mine[-1]["to"]], [r["expected"] for r in mine] +
+                    [mine[-1]["expected"]], where="post", color="#0072B2", linewidth=1)
+            if line == 0:
+                ax.set_title(f"n = {n:g}")
+        axes[line, 0].set_ylabel(f"{'points' if kind == 'object' else kind}, ±{field:g}°")
+    for ax in axes[-1]:
+        ax.set_xlabel("squared distance")
+    fig.text(0.5, 0.005, "bars: share of the problems, the last class has no end; line: χ² of six degrees of freedom",
+             ha="center", fontsize=8.5)
+    fig.tight_layout(rect=(0, 0.02, 1, 1))
+    return fig
+
+
+PICTURES = [points, noise, time, guess, rounds, case, covariance, consistency, depth, pixels, omnidir, outliers, coverage,
+            nees]
+
+
+FILES = {"nees": "coverage_nees"}  # of the pictures that are not named after theirs
 
 
 def shorten(path):
@@ -218,7 +247,7 @@ def main(folder, target):
     results, target = Results(folder), pathlib.Path(target)
     target.mkdir(parents=True, exist_ok=True)
     for picture in PICTURES:
-        if not results.has(picture.__name__):
+        if not results.has(FILES.get(picture.__name__, picture.__name__)):
             print(f"{picture.__name__}: no results, not drawn")
             continue
         fig = picture(results)

@@ -1,4 +1,4 @@
-"""Writes the tables of doc/experiments.md between their markers: tables.py RESULTS DOCUMENT
+"""Writes the tables of doc/experiments.md and doc/noise.md between their markers: tables.py RESULTS DOCUMENT
 
 A table stands between  <!-- table NAME -->  and  <!-- end of table -->;  the rest of the document is left alone."""
 
@@ -170,13 +170,107 @@ def coverage(results):
         yield ""
 
 
-TABLES = [points, noise, time, guess, rounds, covariance, consistency, depth, pixels, omnidir, outliers, coverage]
+ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
+SYMBOLS = {"object": "Σ", "bearing": "Γ"}
+
+
+def signed(row, key, digits=3):
+    half = (row[key + "_high"] - row[key + "_low"]) / 2
+    return f"{row[key]:+.{digits}f} ± {half:.{digits}f}"
+
+
+def recovery(results):
+    rows = results.rows("recovery")
+    at = {(r["view"], r["x"], r["problems"], r["noise"], r["entry"]): r for r in rows}
+    for view in distinct(rows, "view"):
+        keys = [(n, problems, noise) for n in distinct(rows, "x") for problems in distinct(rows, "problems")
+                for noise in distinct(rows, "noise") if at[view, n, problems, noise, "xx"]["trials"] > 1]
+
+        def name(n, problems, noise):
+            return f"n = {n:g}, {problems} ({at[view, n, problems, noise, 'xx']['trials']:.0f}): {SYMBOLS[noise]}"
+
+        for label, show in (("mean error", lambda r: signed(r, "error")),
+                            ("standard error (median) \\| mean squared score",
+                             lambda r: f"{number(r['standard_error_median'])} \\| {number(r['squared_score'])}")):
+            yield from table([f"{view}: {label}"] + list(ENTRIES),
+                             [[name(*key)] + [show(at[(view,) + key + (entry,)]) for entry in ENTRIES]
+                              for key in keys])
+            yield ""
+
+
+def recovery_sums(results):
+    rows = results.rows("recovery_sums")
+    at = {(r["view"], r["x"]): r for r in rows}
+    sizes = distinct(rows, "x")
+    lines = []
+    for view in distinct(rows, "view"):
+        for key, label in (("sum", "sum of both, over the true one"), ("object", "‖Σ̂ − Σ‖ / ‖Σ‖"),
+                           ("bearing", "‖Γ̂ − Γ‖ / ‖Γ‖")):
+            slope = math.log(at[view, sizes[-1]][key] / at[view, sizes[0]][key]) / math.log(sizes[-1] / sizes[0])
+            lines.append([f"{view}: {label}"] + [with_interval(at[view, n], key) for n in sizes] +
+                         ["" if key == "sum" else f"{slope:.2f}"])
+    yield from table(["mean"] + [f"n = {n:g}" for n in sizes] + ["slope"], lines)
+
+
+def small(results):
+    rows = results.rows("small")
+    at = {(r["noise"], r["x"]): r for r in rows}
+    noises = distinct(rows, "noise")
+
+    def ratio_of(row, key):
+        return f"{row[key]:.3f} ({row[key + '_low']:.3f}–{row[key + '_high']:.3f})"
+
+    head = ["ratio to isotropic"] + [f"{noise}: {what}" for noise in noises for what in ("rotation", "translation")]
+    yield from table(head, [[f"n = {n:g}"] + [ratio_of(at[noise, n], key) for noise in noises for key in
+                                              ("rotation_deg_ratio", "translation_percent_ratio")]
+                            for n in distinct(rows, "x")])
+
+
+def bias(results):
+    rows = results.rows("bias")
+    at = {(r["cell"], r["solver"]): r for r in rows}
+    solvers = distinct(rows, "solver")
+    ours, others = solvers[-1], solvers[:-1]
+
+    def best(cell, key):
+        return min(at[cell, solver][key] for solver in others)
+
+    def share(cell, solver):  # of the deviation of a single error
+        row = at[cell, solver]
+        half = (row["depth_m_high"] - row["depth_m_low"]) / 2 / row["depth_deviation_m"]
+        return f"{row['depth_m'] / row['depth_deviation_m']:+.3f} ± {half:.3f}"
+
+    yield from table(["cell", "rotation \\| translation, over the better of the two"] +
+                     [f"depth error of {solver}" for solver in solvers],
+                     [[cell, " \\| ".join(f"{at[cell, ours][key] / best(cell, key):.3f}"
+                                          for key in (ROTATION, TRANSLATION))] + [share(cell, s) for s in solvers]
+                      for cell in distinct(rows, "cell")])
+
+
+def tails(results):
+    rows = results.rows("tails")
+    at = {(r["share"], r["x"], r["tails"]): r for r in rows}
+    kinds = distinct(rows, "tails")
+
+    def both(row):
+        return " \\| ".join(f"{row[key]:.3f} ({row[key + '_low']:.3f}–{row[key + '_high']:.3f})"
+                            for key in ("rotation_deg_ratio", "translation_percent_ratio"))
+
+    yield from table(["ratio to Gaussian"] + kinds[1:],
+                     [[f"{100 * share:g} %, n = {n:g}"] + [both(at[share, n, kind]) for kind in kinds[1:]]
+                      for share in distinct(rows, "share") for n in distinct(rows, "x")])
+
+
+TABLES = {
+    "experiments.md": [points, noise, time, guess, rounds, covariance, consistency, depth, pixels, omnidir, outliers],
+    "noise.md": [recovery, recovery_sums, small, bias, coverage, tails],
+}
 
 
 def main(folder, document):
     results, path = Results(folder), pathlib.Path(document)
     text = path.read_text()
-    for make in TABLES:
+    for make in TABLES[path.name]:
         if not results.has(make.__name__):
             print(f"{make.__name__}: no results, the table stays as it is")
             continue
@@ -186,7 +280,7 @@ def main(folder, document):
         if found != 1:
             sys.exit(f"{document}: {found} places for the table {make.__name__}, not 1")
     path.write_text(text)
-    print(f"{document}: {len(TABLES)} tables")
+    print(f"{document}: {len(TABLES[path.name])} tables")
 
 
 if __name__ == "__main__":

@@ -1,14 +1,15 @@
 # All experiments with few trials: the files are there, and threads change nothing in them. Then wrong usage.
 include(${CMAKE_CURRENT_LIST_DIR}/../samples/expect.cmake)
 
-set(names points noise time guess rounds case covariance consistency depth pixels omnidir outliers coverage)
-set(files ${names} case_covariances)
+set(names points noise time guess rounds case covariance consistency depth pixels omnidir outliers coverage
+    recovery small bias tails)
+set(files ${names} case_covariances coverage_nees recovery_sums)
 
 expect(0 "guess +from the truth" ${PROGRAM} --help)
 foreach(name ${names})
   expect(0 "${name}.*100 %" ${PROGRAM} --trials=3 --threads=1 --out=${WORK_DIR}/one ${name})
 endforeach()
-expect(0 "coverage.*100 %" ${PROGRAM} --trials=3 --threads=3 --out=${WORK_DIR}/three all)
+expect(0 "tails.*100 %" ${PROGRAM} --trials=3 --threads=3 --out=${WORK_DIR}/three all)
 foreach(name ${files})
   file(STRINGS ${WORK_DIR}/one/${name}.csv lines)
   list(LENGTH lines count)

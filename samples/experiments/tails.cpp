@@ -1,0 +1,85 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "experiments.hpp"
+#include "src/estimate.hpp"
+#include "src/initial_pose.hpp"
+
+// What the estimated tails cost on Gaussian data, and whether they reach the best fixed degrees of freedom where some
+// of the points have five times the noise.
+
+namespace experiments {
+
+namespace {
+
+using namespace cv::gmlpnp::detail;
+
+constexpr double FIXED[] = {std::numeric_limits<double>::infinity(), 30, 10, 5, 3, 2};
+constexpr size_t COUNT = std::size(FIXED) + 1;  // then the estimated
+
+std::string nameOf(size_t method)
+{
+    if (method == std::size(FIXED))
+        return "estimated";
+    return std::isinf(FIXED[method]) ? "Gaussian" : cv::format("ν = %g", FIXED[method]);
+}
+
+Stopping stoppingOf(size_t method)
+{
+    Stopping stopping = defaultStopping(false);
+    stopping.robust = method == std::size(FIXED);
+    stopping.tail = stopping.robust ? 0 : 1 / FIXED[method];
+    return stopping;
+}
+
+std::array<PoseErrors, COUNT> errorsOfAll(const Problem& problem)
+{
+    const Correspondences data(problem.scene.objectPoints, problem.scene.rays);
+    const std::vector<PoseCandidate> starts = initialPoses(data);
+    if (starts.empty())
+        throw std::runtime_error("tails: a problem without a pose");
+    std::array<PoseErrors, COUNT> errors;
+    for (size_t m = 0; m < COUNT; ++m) {
+        const cv::gmlpnp::detail::Estimate found =
+            estimateMarginal(data, starts.front().pose, std::nullopt, std::nullopt, stoppingOf(m));
+        errors[m] = errorsOf(data.toObject(found.pose), problem.scene.truth);
+    }
+    return errors;
+}
+
+}  // namespace
+
+void runTails(const Settings& settings)
+{
+    const double shares[] = {0, 0.05, 0.1, 0.2};
+    const int sizes[] = {20, 50, 200};
+    const int trials = settings.trials;
+    Progress progress("tails", static_cast<long>(std::size(shares) * std::size(sizes)) * trials);
+    Csv csv(settings.folder, "tails",
+            std::vector<std::string>{"share", "x", "tails", "trials"} + intervalColumns("rotation_deg_ratio") +
+                intervalColumns("translation_percent_ratio"));
+    int cell = 0;
+    for (const double share : shares)
+        for (const int n : sizes) {
+            std::vector<std::vector<double>> rotation(COUNT, std::vector<double>(trials)), translation = rotation;
+            forTrials(trials, settings.threads, progress, [&](int k) {
+                cv::RNG rng = trialRng("tails", cell, k);
+                const std::array<PoseErrors, COUNT> errors = errorsOfAll(outlierProblem(n, 0.1, 1, share, false)(rng));
+                for (size_t m = 0; m < COUNT; ++m) {
+                    rotation[m][k] = errors[m].rotation;
+                    translation[m][k] = errors[m].translation;
+                }
+            });
+            const Bootstrap bootstrap(trials);
+            for (size_t m = 0; m < COUNT; ++m) {
+                csv << share << n << nameOf(m) << trials << bootstrap.ratio(rotation[m], rotation[0])
+                    << bootstrap.ratio(translation[m], translation[0]);
+                csv.endRow();
+            }
+            ++cell;
+        }
+    csv.save();
+}
+
+}  // namespace experiments
