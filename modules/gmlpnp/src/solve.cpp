@@ -46,8 +46,8 @@ void keepGuessIfBetter(const Correspondences& data, const Pose& guess, Estimate&
 
 bool sound(const Estimate& estimate, int n)
 {
-    return std::isfinite(estimate.sums.L) && estimate.pose.t.allFinite() && determined(estimate.sums.H) &&
-           2 * estimate.sums.inFront > n;
+    return std::isfinite(estimate.sums.L) && estimate.pose.t.allFinite() && estimate.spread.allFinite() &&
+           determined(estimate.sums.H) && 2 * estimate.sums.inFront > n;
 }
 
 // Weights of the tails, from squared residuals.
