@@ -43,7 +43,7 @@ struct PassInput
     double lever;     //!< share of R Sigma R^T z that is taken off the lever arm, 0 or 1
     Products products;
     bool sampled;  //!< products of every fourth group of four points only
-    double* c;  //!< receives each point's squared Mahalanobis residual; null: not wanted
+    double* c;     //!< receives each point's squared Mahalanobis residual; null: not wanted
 };
 
 /** mantissa * 2^exponent: a product whose logarithm is wanted, without one logarithm a factor. */

@@ -121,6 +121,7 @@ std::vector<Estimate> fit(const Correspondences& data, const Options& options, c
     Options fitting = options;
     // The last sums are needed to compare with other poses and for all that is said about this one.
     fitting.stopping.evaluate = options.extras || options.guess || starts.size() > 1;
+    fitting.stopping.sampled = !options.extras;
     std::vector<Estimate> found;
     for (const Pose& start : starts) {
         Estimate candidate = estimate(data, start, fitting, part);

@@ -103,7 +103,8 @@ TEST(Gmlpnp_RayKernels, passesAgreeWithTheScalarOne)
                 noise.Gamma = noises.bearing ? randomNoise(rng, 0.05) : Matrix3d(Matrix3d::Zero());
                 noise.tail = noises.tails ? 0.2 : 0;
                 std::vector<double> c(n), cScalar(n);
-                const RaySums found = rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, c.data(), n > 7}, *kernels);
+                const RaySums found =
+                    rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, c.data(), n > 7}, *kernels);
                 expectSame(rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, cScalar.data(), n > 7},
                                    *availableKernels().back()),
                            found, n);

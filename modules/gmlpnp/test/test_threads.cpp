@@ -81,6 +81,12 @@ std::vector<Function> solvers()
              solveRays(s.scene.objectPoints, s.scene.rays, r);
              return bitsOf(r);
          }},
+        {"solveBatch",
+         [](const Shared& s) {
+             std::vector<Result> r;
+             solveBatch(std::vector<cv::Mat>(3, s.scene.objectPoints), std::vector<cv::Mat>(3, s.scene.rays), r);
+             return bitsOf(r.at(2));
+         }},
         {"solveAll",
          [](const Shared& s) {
              std::vector<Result> r;

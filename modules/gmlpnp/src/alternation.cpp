@@ -1,0 +1,173 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "precomp.hpp"
+
+#include "alternation.hpp"
+#include "cholesky.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+namespace {
+
+Vector6d gaussNewtonStep(const RaySums& sums)
+{
+    const UnitDiagonal H(sums.H);
+    const Vector6d g = H.scale.cwiseProduct(sums.g);
+    const CholeskyFactor<6> cholesky(H.matrix);
+    const Vector6d xi = cholesky.positiveDefinite() ? cholesky.solve(-g) : Vector6d(H.matrix.ldlt().solve(-g));
+    return H.scale.cwiseProduct(xi);
+}
+
+constexpr int STEP_HALVINGS = 5;
+
+}  // namespace
+
+// With a fixed noise the cost must fall. With an estimated one L may rise a little: shrinkage and the corrected
+// gradient do not follow it exactly. A rise beyond this [nat per point, at least RISE] is a step gone wrong.
+constexpr double RISE_PER_POINT = 0.05;
+
+bool accepted(bool noiseChanged, const RaySums& before, const RaySums& after, int n)
+{
+    if (!noiseChanged)
+        return after.misfit <= before.misfit;
+    return after.L <= before.L + std::max(RISE, RISE_PER_POINT * n) && 2 * after.inFront > n;
+}
+
+namespace {
+
+// Change of L that the next step promises [nat]: half its slope along the step.
+double promised(const Estimate& now, const Noise& next, const Vector6d& xi)
+{
+    const double byPose = 0.5 * std::abs(now.sums.g.dot(xi));
+    if (now.kind == NoiseKind::PUBLISHED)  // its noise does not follow L
+        return byPose;
+    const Matrix3d& R = now.pose.R;
+    const Matrix3d dSigma = R * (next.Sigma - now.noise.Sigma) * R.transpose(), dGamma = next.Gamma - now.noise.Gamma;
+    const double slope =
+        ((now.sums.Zo - now.sums.Go) * dSigma).trace() + ((now.sums.Zb - now.sums.Gb) * dGamma).trace();
+    return byPose + 0.25 * std::abs(slope);
+}
+
+bool sameTail(double a, double b)
+{
+    constexpr double SAME = 0.1;  // relative: moves L and the pose less than the tolerance does
+    return std::abs(a - b) <= SAME * std::max(a, b);
+}
+
+bool settled(const Estimate& now, const Estimate& next, double promise, double tolerance)
+{
+    if (now.kind == NoiseKind::PUBLISHED)
+        return (next.noise.Sigma - now.noise.Sigma).norm() < tolerance * next.noise.Sigma.norm();
+    // With a fixed noise Gauss-Newton converges fast: a tighter end costs a round and gives the minimum itself.
+    constexpr double FIXED_TOLERANCE = 1e-6;  // nat
+    const bool fixed = isConstant(now.kind) && next.noise.tail == 0;
+    return promise < (fixed ? std::min(tolerance, FIXED_TOLERANCE) : tolerance) &&
+           sameTail(now.noise.tail, next.noise.tail);
+}
+
+// From this many points on a pass costs more than the larger system of Fisher scoring. The first round is MM's, which
+// finds its way from an isotropic start.
+constexpr int SCORING_POINTS = 200;
+
+// What scoring leaves to do after a round is of second order, so it may stop this much earlier (no figure changes).
+constexpr double SCORING_AHEAD = 10;
+
+// One noise only: for both at once the expected curvature is far from the true one where depths hardly differ.
+Products productsFor(NoiseKind kind)
+{
+    return kind == NoiseKind::OBJECT ? OF_OBJECT : kind == NoiseKind::BEARING ? OF_BEARING : NO_PRODUCTS;
+}
+
+bool isIsotropic(const Noise& noise)
+{
+    const auto isScalar = [](const Matrix3d& C) { return (C - C(0, 0) * Matrix3d::Identity()).isZero(0); };
+    return isScalar(noise.Sigma) && isScalar(noise.Gamma);
+}
+
+LeverArm leverArmOf(NoiseKind kind)
+{
+    return kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED;
+}
+
+}  // namespace
+
+Estimate alternate(const Correspondences& data, const Pose& start, const Noise& noise, NoiseKind kind,
+                   const Stopping& stopping)
+{
+    const int n = data.size();
+    const bool isotropicStart = isIsotropic(noise);
+    std::vector<double> c(stopping.robust ? n : 0);
+    PassOptions options{leverArmOf(kind), NO_PRODUCTS, stopping.robust ? c.data() : nullptr, stopping.sampled};
+    const auto pass = [&](const Pose& pose, const Noise& at) { return rayPass(data, pose, at, options); };
+    Estimate now;
+    now.pose = start;
+    now.noise = noise;
+    now.kind = kind;
+    now.sums = pass(start, noise);
+    while (now.rounds < stopping.maxRounds && !now.converged) {
+        Vector6d xi = gaussNewtonStep(now.sums);
+        Estimate next = now;
+        next.rounds++;
+        next.noise = options.products ? scoredNoise(kind, now.noise, now.sums, now.pose.R)
+                                      : updatedNoise(kind, now.noise, now.sums, now.pose.R, n);
+        options.products = n >= SCORING_POINTS ? productsFor(kind) : NO_PRODUCTS;
+        if (stopping.robust && (now.rounds > 0 || !isotropicStart))  // anisotropy looks like tails
+            next.noise.tail = updatedTail(now.noise.tail, c.data(), now.sums, n);
+        next.pose = perturbed(now.pose, xi);
+        const double promise = promised(now, next.noise, xi);
+        next.converged = settled(now, next, promise, (options.products ? SCORING_AHEAD : 1) * stopping.tolerance);
+        const bool last = next.converged || next.rounds == stopping.maxRounds;
+        if (last && promise < DEFAULT_TOLERANCE && !stopping.evaluate)
+            return next;
+        const bool noiseChanged = !isConstant(kind) || next.noise.tail != now.noise.tail;
+        next.sums = pass(next.pose, next.noise);
+        for (int k = 0; k < STEP_HALVINGS && !accepted(noiseChanged, now.sums, next.sums, n); ++k) {
+            xi *= 0.5;
+            next.pose = perturbed(now.pose, xi);
+            next.sums = pass(next.pose, next.noise);
+        }
+        if (!noiseChanged && !accepted(noiseChanged, now.sums, next.sums, n)) {
+            now.converged = true;  // no step falls any more: this is the minimum, to rounding
+            break;
+        }
+        now = next;
+    }
+    return now;
+}
+
+Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, const Stopping& stopping)
+{
+    const NoiseKind kind = ofPart.kind;
+    PassOptions options{leverArmOf(kind), productsFor(kind), nullptr, stopping.sampled};
+    Estimate now = ofPart;
+    now.sums = rayPass(data, now.pose, now.noise, options);
+    const Vector6d xi = gaussNewtonStep(now.sums);
+    constexpr double UNLIKELY = 60;  // g^T H^-1 g is n / size times chi-squared of 6 degrees of freedom
+    if (!(std::abs(now.sums.g.dot(xi)) <= UNLIKELY * data.size() / size))
+        return alternate(data, now.pose, now.noise, kind, stopping);
+    now.pose = perturbed(now.pose, xi);
+    now.rounds++;
+    if (kind == NoiseKind::PUBLISHED)
+        return now;
+    now.noise = options.products ? scoredNoise(kind, now.noise, now.sums, ofPart.pose.R)
+                                 : updatedNoise(kind, now.noise, now.sums, ofPart.pose.R, data.size());
+    now.sums = rayPass(data, now.pose, now.noise);
+    now.pose = perturbed(now.pose, gaussNewtonStep(now.sums));
+    now.rounds++;
+    return now;
+}
+
+Pose isotropicPose(const Correspondences& data, const Pose& start)
+{
+    Noise unit;
+    unit.Sigma.setIdentity();
+    return alternate(data, start, unit, NoiseKind::FIXED, {30, 1e-12, false}).pose;
+}
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv

@@ -1,0 +1,69 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_ALTERNATION_HPP
+#define OPENCV_GMLPNP_ALTERNATION_HPP
+
+#include "noise_model.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** When the alternation ends. */
+struct Stopping
+{
+    int maxRounds;
+    double tolerance;      //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
+    bool robust = false;   //!< whether the tails are estimated too
+    bool evaluate = true;  //!< sums at the pose that comes out; false: they may be those one small step before
+    bool sampled = false;  //!< scoring by a quarter of the points: the estimate then depends a little on their order
+    double tail = 0;       //!< 1/nu at the start; it stays where the tails are not estimated
+};
+
+/** Change of L [nat] that no longer matters: a tenth of a nat moves the pose by a fraction of its standard deviation.
+ */
+constexpr double DEFAULT_TOLERANCE = 0.1;
+
+/** The published algorithm needs its few rounds: its covariance only collapses further. */
+inline Stopping defaultStopping(bool published)
+{
+    return published ? Stopping{5, 1e-5, false} : Stopping{20, DEFAULT_TOLERANCE, false};
+}
+
+struct Estimate
+{
+    Pose pose;
+    Noise noise;
+    NoiseKind kind = NoiseKind::FIXED;
+    RaySums sums;  //!< at pose and noise, or just before (Stopping::evaluate)
+    int rounds = 0;
+    bool converged = false;
+    double evidence = std::numeric_limits<double>::infinity();  //!< by how much the kind of noise beats the next, nat
+    Matrix6d spread = Matrix6d::Zero();                         //!< covariance of xi between the kinds of noise
+};
+
+/** The alternation: one Gauss-Newton step for the pose and one update of the noise from the sums of one pass. */
+CV_EXPORTS Estimate alternate(const Correspondences& data, const Pose& start, const Noise& noise, NoiseKind kind,
+                              const Stopping& stopping);
+
+/** The pose of least  sum |v_i|^2  near `start`. */
+CV_EXPORTS Pose isotropicPose(const Correspondences& data, const Pose& start);
+
+/** The estimate over all points from what `size` of them gave. The noise is known so well by then that one update and
+one or two steps of the pose end it. A first step longer than chance can explain says that the part did not stand for
+all: then the alternation goes on over all of them. */
+Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, const Stopping& stopping);
+
+/** A rise of L that a step may cost where the noise is estimated [nat]; more for many points (accepted()). */
+constexpr double RISE = 3;
+
+/** Whether a step has not gone wrong. */
+bool accepted(bool noiseChanged, const RaySums& before, const RaySums& after, int n);
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_ALTERNATION_HPP
