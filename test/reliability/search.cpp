@@ -4,6 +4,7 @@
 
 #include "search.hpp"
 
+#include "src/noise_estimate.hpp"
 #include "src/pose_covariance.hpp"
 #include "trials.hpp"
 
@@ -43,28 +44,38 @@ bool searchable(const Problem& problem)
            problem.objectNoise + problem.rayNoise > ABOVE_ROUNDING;
 }
 
-double bestOfSearch(const Problem& problem, int starts)
+namespace {
+
+// What the estimator chooses by, near a minimum of isotropic noise; infinite where it finds no pose.
+double criterion(const Correspondences& data, const Pose& minimum)
 {
-    const Correspondences data(problem.points, problem.rays);
-    double best = std::numeric_limits<double>::infinity();
-    if (data.degenerate())
-        return best;
     Stopping stopping = defaultStopping(false);
     stopping.robust = true;
+    const Estimate found = estimateMarginal(data, minimum, std::nullopt, std::nullopt, stopping);
+    const bool sound = found.pose.t.allFinite() && determined(found.sums.H) && 2 * found.sums.inFront > data.size();
+    return sound ? found.sums.L + found.penalty : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+double aboveSearch(const Problem& problem, const Pose& pose, int starts)
+{
+    const Correspondences data(problem.points, problem.rays);
+    if (data.degenerate())
+        return 0;
+    const Pose ours = isotropicPose(data, data.fromObject(pose));
+    double best = criterion(data, ours);
+    const double found = best;
     cv::RNG rng = experiments::trialRng("search", problem.n, 0);
-    std::vector<Pose> minima;
+    std::vector<Pose> minima = {ours};
     for (int k = 0; k < starts; ++k) {
         const Pose minimum = isotropicPose(data, withTranslation(data, synthetic::randomRotation(rng)));
-        if (!std::any_of(minima.begin(), minima.end(), [&](const Pose& known) { return near(known, minimum); }))
-            minima.push_back(minimum);
+        if (std::any_of(minima.begin(), minima.end(), [&](const Pose& known) { return near(known, minimum); }))
+            continue;
+        minima.push_back(minimum);
+        best = std::min(best, criterion(data, minimum));
     }
-    for (const Pose& minimum : minima) {
-        const Estimate found = estimateMarginal(data, minimum, std::nullopt, std::nullopt, stopping);
-        if (found.pose.t.allFinite() && determined(found.sums.H) && 2 * found.sums.inFront > data.size() &&
-            found.sums.L < best)
-            best = found.sums.L;
-    }
-    return best + 2 * data.size() * std::log(data.scale);
+    return found - best;
 }
 
 }  // namespace reliability

@@ -13,9 +13,11 @@ namespace reliability {
 none behind the camera), no corrupt number, and noise of at least 1e-9: below it L is that of rounding. */
 bool searchable(const Problem& problem);
 
-/** The least cost L [nat] that the marginal method comes to from `starts` random rotations, each with the translation
-that goes with it, first descended to its isotropic minimum; infinity where none is a pose with most points in front. */
-double bestOfSearch(const Problem& problem, int starts);
+/** By how much [nat] the best that the marginal method comes to from `starts` random rotations is better than what it
+comes to from `pose`, by the criterion it chooses by: L with the penalties of the kinds of noise. Each start has the
+translation that goes with its rotation and is first descended to its isotropic minimum; only poses with most points in
+front count. */
+double aboveSearch(const Problem& problem, const cv::gmlpnp::detail::Pose& pose, int starts);
 
 }  // namespace reliability
 

@@ -165,7 +165,8 @@ Verdict judge(const Solver& solver, const Problem& problem)
     verdict.badResult = solver.fullResult && !isComplete(outputs.result, problem.n);
     verdict.lost =
         problem.solvable() && !(synthetic::rotationAngle(expSO3(toEigen(after.rvec)), problem.truth.R) < LOST);
-    verdict.cost = outputs.result.cost;
+    verdict.rvec = outputs.result.rvec;
+    verdict.tvec = outputs.result.tvec;
     return verdict;
 }
 

@@ -29,7 +29,7 @@ struct Solver
     std::function<bool(const Problem&, Outputs&)> solve;
 };
 
-/** The one whose cost is compared with that of a search: the marginal method with a full result. */
+/** The one whose pose is compared with those of a search: the marginal method with a full result. */
 constexpr size_t SEARCHED_SOLVER = 0;
 
 /** solvePnP and solveRays with both of our flags, cv::solvePnP with EPNP, ITERATIVE and SQPNP. */
@@ -48,7 +48,7 @@ struct Verdict
     bool badResult = false;      //!< success with another such number, or with a covariance that is none
     bool refused = false;        //!< a solvable problem
     bool lost = false;           //!< success on a solvable problem, more than 0.5 rad from the truth
-    double cost = 0;             //!< of a full result
+    cv::Vec3d rvec, tvec;        //!< of a full result
 };
 
 Verdict judge(const Solver& solver, const Problem& problem);

@@ -50,12 +50,15 @@ void add(const Verdict& verdict, const Problem& problem, int index, size_t solve
     }
 }
 
-void addSearch(const Verdict& verdict, double best, const Problem& problem, int index, Sweep& sweep)
+Pose poseOf(const Verdict& verdict)
 {
-    if (!std::isfinite(best))
-        return;
+    const cv::Vec3d &r = verdict.rvec, &t = verdict.tvec;
+    return {cv::gmlpnp::detail::expSO3({r[0], r[1], r[2]}), {t[0], t[1], t[2]}};
+}
+
+void addSearch(double above, const Problem& problem, int index, Sweep& sweep)
+{
     Tally& tally = sweep.tallies[SEARCHED_SOLVER];
-    const double above = verdict.solved ? verdict.cost - best : std::numeric_limits<double>::infinity();
     const bool solvable = problem.solvable();
     (solvable ? tally.searched : tally.searchedUnsolvable)++;
     if (above <= ABOVE)
@@ -78,13 +81,14 @@ Sweep sweep(const Settings& settings)
         std::vector<Verdict> verdicts;
         for (const Solver& solver : solvers)
             verdicts.push_back(judge(solver, problem));
-        const bool search = index < settings.searched && searchable(problem);
-        const double best = search ? bestOfSearch(problem, settings.starts) : 0;
+        const Verdict& searched = verdicts[SEARCHED_SOLVER];
+        const bool search = index < settings.searched && searchable(problem) && searched.solved;
+        const double above = search ? aboveSearch(problem, poseOf(searched), settings.starts) : 0;
         const std::lock_guard<std::mutex> lock(mutex);
         for (size_t s = 0; s < solvers.size(); ++s)
             add(verdicts[s], problem, index, s, out);
         if (search)
-            addSearch(verdicts[SEARCHED_SOLVER], best, problem, index, out);
+            addSearch(above, problem, index, out);
     });
     std::stable_sort(out.failures.begin(), out.failures.end(), [](const Failure& a, const Failure& b) {
         return std::make_pair(a.index, a.solver) < std::make_pair(b.index, b.solver);

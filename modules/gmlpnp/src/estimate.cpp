@@ -97,6 +97,7 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, b
     const Rival& best = *std::min_element(rivals, rivals + count,
                                           [](const Rival& a, const Rival& b) { return a.posterior() < b.posterior(); });
     Estimate out = best.estimate;
+    out.penalty = best.penalty + best.prior;
     for (const Rival* rival = rivals; rival != rivals + count; ++rival)
         if (rival != &best)
             out.evidence = std::min(out.evidence, std::max(0., rival->L() - best.L()));

@@ -172,8 +172,7 @@ Status solveAll(const Observations& observations, const Options& options, std::v
     for (const Estimate& each : found)
         solutions.push_back(toCaller(data, each, options));
     // The noise that is returned may judge near equals otherwise than the one that weighed them.
-    std::stable_sort(solutions.begin(), solutions.end(),
-                     [](const Solution& a, const Solution& b) { return a.cost < b.cost; });
+    std::sort(solutions.begin(), solutions.end(), [](const Solution& a, const Solution& b) { return a.cost < b.cost; });
     return solutions.front().converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS;
 }
 
