@@ -26,6 +26,7 @@
 #include "common/command_line.hpp"
 #include "common/images.hpp"
 #include "common/output_file.hpp"
+#include "common/statistics.hpp"
 #include "common/table.hpp"
 
 namespace {
@@ -254,12 +255,6 @@ struct Summary
     }
 };
 
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values.empty() ? 0 : values[values.size() / 2];
-}
-
 int run(const Arguments& arguments)
 {
     const Model model = readModel(arguments.files[0]);
@@ -308,8 +303,9 @@ int run(const Arguments& arguments)
         finish(out, *videoFile, summary.frames);
     if (!picture.empty() && !best.empty())
         writeImage(picture, best);
-    std::cout << summary.found << " poses in " << summary.frames << " frames; medians: " << median(summary.inliers)
-              << " inliers, " << fixed(median(summary.milliseconds), 2) << " ms for a pose\n"
+    std::cout << summary.found << " poses in " << summary.frames
+              << " frames; medians: " << (summary.found > 0 ? median(summary.inliers) : 0) << " inliers, "
+              << fixed(median(summary.milliseconds), 2) << " ms for a pose\n"
               << "Poses: " << csvPath << (videoPath.empty() ? "" : "; video: " + videoPath) << "\n";
     return 0;
 }

@@ -10,6 +10,15 @@ function(expect code pattern)
   endif()
 endfunction()
 
+# Two files that runs with another number of threads must write alike.
+function(expect_same one other)
+  file(READ ${one} first)
+  file(READ ${other} second)
+  if(NOT first STREQUAL second)
+    message(FATAL_ERROR "${one} and ${other} differ: the number of threads matters")
+  endif()
+endfunction()
+
 file(REMOVE_RECURSE ${WORK_DIR})
 file(MAKE_DIRECTORY ${WORK_DIR})
 

@@ -93,6 +93,13 @@ LeverArm leverArmOf(NoiseKind kind)
     return kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED;
 }
 
+// By scoring where the last pass has summed the products for it.
+Noise nextNoise(const Estimate& now, Products products, int n)
+{
+    return products ? scoredNoise(now.kind, now.noise, now.sums, now.pose.R)
+                    : updatedNoise(now.kind, now.noise, now.sums, now.pose.R, n);
+}
+
 }  // namespace
 
 Estimate alternate(const Correspondences& data, const Pose& start, const Noise& noise, NoiseKind kind,
@@ -112,8 +119,7 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
         Vector6d xi = gaussNewtonStep(now.sums);
         Estimate next = now;
         next.rounds++;
-        next.noise = options.products ? scoredNoise(kind, now.noise, now.sums, now.pose.R)
-                                      : updatedNoise(kind, now.noise, now.sums, now.pose.R, n);
+        next.noise = nextNoise(now, options.products, n);
         options.products = n >= SCORING_POINTS ? productsFor(kind) : NO_PRODUCTS;
         if (stopping.robust && (now.rounds > 0 || !isotropicStart))  // anisotropy looks like tails
             next.noise.tail = updatedTail(now.noise.tail, c.data(), now.sums, n);
@@ -149,12 +155,12 @@ Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, 
     constexpr double UNLIKELY = 60;  // g^T H^-1 g is n / size times chi-squared of 6 degrees of freedom
     if (!(std::abs(now.sums.g.dot(xi)) <= UNLIKELY * data.size() / size))
         return alternate(data, now.pose, now.noise, kind, stopping);
+    const Noise noise = nextNoise(now, options.products, data.size());
     now.pose = perturbed(now.pose, xi);
     now.rounds++;
-    if (kind == NoiseKind::PUBLISHED)
+    if (kind == NoiseKind::PUBLISHED)  // Proposition 1 with the noise of the part
         return now;
-    now.noise = options.products ? scoredNoise(kind, now.noise, now.sums, ofPart.pose.R)
-                                 : updatedNoise(kind, now.noise, now.sums, ofPart.pose.R, data.size());
+    now.noise = noise;
     now.sums = rayPass(data, now.pose, now.noise);
     now.pose = perturbed(now.pose, gaussNewtonStep(now.sums));
     now.rounds++;

@@ -243,7 +243,7 @@ Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<Cam
 bool run(const Input& input, const Options& options, Status& status, std::vector<Solution>& solutions)
 {
     status = input.finite ? solveAll(input.observations, options, solutions) : STATUS_NOT_FINITE;
-    return status == STATUS_CONVERGED || status == STATUS_MAX_ROUNDS;
+    return isSuccess(status);
 }
 
 namespace {

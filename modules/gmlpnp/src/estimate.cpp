@@ -52,12 +52,11 @@ struct Rival
 // The pose has fitted away six of the 2n residual coordinates; what was estimated from them is that much too small.
 Noise restricted(const Estimate& estimate, int n)
 {
-    const double freedom = 2. * n / (2 * n - 6);
     Noise noise = estimate.noise;
     if (estimate.kind == NoiseKind::OBJECT || estimate.kind == NoiseKind::BOTH)
-        noise.Sigma *= freedom;
+        noise.Sigma *= freedom(n);
     if (estimate.kind == NoiseKind::BEARING || estimate.kind == NoiseKind::BOTH)
-        noise.Gamma *= freedom;
+        noise.Gamma *= freedom(n);
     return noise;
 }
 

@@ -10,25 +10,38 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const Noise& noise)
-{
-    const auto block = [&](Products products) {
-        return curvature(rayPass(data, pose, noise, {LeverArm::CORRECTED, products, nullptr}).QQ);
-    };
-    Matrix12d F;
-    F.topLeftCorner<6, 6>() = block(OF_OBJECT);
-    F.bottomRightCorner<6, 6>() = block(OF_BEARING);
-    F.topRightCorner<6, 6>() = F.bottomLeftCorner<6, 6>() = block(OF_OBJECT_AND_BEARING);
-    return tailInformation(noise.tail) * F;
-}
-
 namespace {
 
-// Which of the two noises: both start as marked.
+// Which of the two noises.
 struct Which
 {
     bool object, bearing;
 };
+
+// The blocks of noiseInformation() that `which` needs, a pass each; the others stay zero.
+Matrix12d informationOn(const Which& which, const Correspondences& data, const Pose& pose, const Noise& noise)
+{
+    const auto block = [&](Products products) {
+        return curvature(rayPass(data, pose, noise, {LeverArm::CORRECTED, products, nullptr}).QQ);
+    };
+    Matrix12d F = Matrix12d::Zero();
+    if (which.object)
+        F.topLeftCorner<6, 6>() = block(OF_OBJECT);
+    if (which.bearing)
+        F.bottomRightCorner<6, 6>() = block(OF_BEARING);
+    if (which.object && which.bearing)
+        F.topRightCorner<6, 6>() = F.bottomLeftCorner<6, 6>() = block(OF_OBJECT_AND_BEARING);
+    return tailInformation(noise.tail) * F;
+}
+
+}  // namespace
+
+Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const Noise& noise)
+{
+    return informationOn({true, true}, data, pose, noise);
+}
+
+namespace {
 
 // The 12 entries in units of the isotropic variance at mean depth, so that nothing depends on lengths.
 struct Units
@@ -59,12 +72,6 @@ Matrix12d restrictedTo(const Which& sought, Matrix12d F)
     return F;
 }
 
-// The pose took six of the 2n residual coordinates, and with them this share of their squares.
-double freedom(int n)
-{
-    return 2. * n / std::max(2 * n - 6, 1);
-}
-
 // Entries below this share of the largest variance are rounding or chance, and no weights for the next step.
 constexpr double SMALLEST_VARIANCE = 1e-3;
 
@@ -80,13 +87,13 @@ Noise stepped(const Noise& noise, const Which& sought, const Vector12d& step, co
 
 // Scoring with steps that hardly move what the data hardly observe: after k of them a direction whose information is f
 // has gone 1 - (damping / (damping + f))^k of its way.
-Noise scored(const Correspondences& data, const Estimate& found, const Which& sought, const Matrix12d& F,
-             const Units& units)
+Noise scored(const Correspondences& data, const Estimate& found, const Which& sought, const Units& units)
 {
     constexpr int STEPS = 3;
     constexpr double DAMPING = SHRINKAGE / 2;  // of a point
     Vector12d damping;
     damping << 1, 2, 2, 1, 2, 1, 1, 2, 2, 1, 2, 1;
+    const Matrix12d F = informationOn(sought, data, found.pose, found.noise);
     Matrix12d A = units.entry.asDiagonal() * F * units.entry.asDiagonal();
     A.diagonal() += DAMPING * damping;
     const Eigen::LDLT<Matrix12d> solver(restrictedTo(sought, A));
@@ -143,12 +150,11 @@ NoiseEstimate estimatedNoise(const Correspondences& data, const Estimate& found,
     if (!open.object && !open.bearing)
         return out;
     const Units units(data, found.pose, found.noise);
-    const Matrix12d F = noiseInformation(data, found.pose, found.noise);
     const bool both = found.kind == NoiseKind::BOTH;
     const Which sought{both || found.kind == NoiseKind::OBJECT, both || found.kind == NoiseKind::BEARING};
     if (sought.object || sought.bearing)
-        out.noise = scored(data, found, sought, F, units);
-    addErrors(noiseInformation(data, found.pose, out.noise), units, open, data.size(), found.pose.R, out);
+        out.noise = scored(data, found, sought, units);
+    addErrors(informationOn(open, data, found.pose, out.noise), units, open, data.size(), found.pose.R, out);
     return out;
 }
 

@@ -110,11 +110,9 @@ IsotropicSplit splitResiduals(const Correspondences& data, const Pose& pose)
     Line line{aOnly / 2, bOnly / 2};
     for (int k = 0; k < SPLIT_REWEIGHTINGS; ++k)
         line = fitLine(of.sums(line.a, line.b), {SPLIT_FLOOR * aOnly, SPLIT_FLOOR * bOnly});
-    const double freedom = 2. * n / std::max(2 * n - 6, 1);  // the pose took six of the 2n residual coordinates
-    return {of.withCost(freedom * aOnly, 0),
-            of.withCost(freedom * BEARING_ONLY_SHARE * bOnly * meanDepth2, freedom * bOnly),
-            of.withCost(freedom * line.a, freedom * line.b), meanDepth2,
-            of.x.square().mean() / (meanDepth2 * meanDepth2) - 1};
+    const double f = freedom(n);
+    return {of.withCost(f * aOnly, 0), of.withCost(f * BEARING_ONLY_SHARE * bOnly * meanDepth2, f * bOnly),
+            of.withCost(f * line.a, f * line.b), meanDepth2, of.x.square().mean() / (meanDepth2 * meanDepth2) - 1};
 }
 
 namespace {

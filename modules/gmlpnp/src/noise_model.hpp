@@ -43,6 +43,12 @@ CV_EXPORTS Matrix3d shrunk(const Matrix3d& C, double n, double kappa);
 of projection must not weigh infinitely. */
 constexpr double BEARING_ONLY_SHARE = 1e-6;
 
+/** The pose takes six of the 2n residual coordinates, and with them this share of their squares. */
+inline double freedom(int n)
+{
+    return 2. * n / std::max(2 * n - 6, 1);
+}
+
 /** Sigma = a I [length^2], Gamma = b I [rad^2], and L with them [nat]. */
 struct IsotropicNoise
 {

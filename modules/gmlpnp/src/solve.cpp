@@ -66,13 +66,17 @@ void addExtras(const Correspondences& data, const Estimate& found, const Options
     const bool published = found.kind == NoiseKind::PUBLISHED || options.method == SOLVEPNP_GMLPNP;
     NoiseEstimate estimate =
         estimatedNoise(data, found, options.Sigma.has_value() || published, options.Gamma.has_value() || published);
-    // At the noise that is returned, too, a guess is not made worse.
-    if (options.guess &&
-        rayPass(data, data.fromObject(*options.guess), estimate.noise).L < rayPass(data, found.pose, estimate.noise).L)
-        estimate.noise = found.noise;
     std::vector<double> c(n);
-    const RaySums sums = rayPass(data, found.pose, estimate.noise, {LeverArm::CORRECTED, NO_PRODUCTS, c.data()});
-    solution.cost += sums.L - found.sums.L;
+    const auto costAt = [&](const Noise& noise) {
+        return rayPass(data, found.pose, noise, {LeverArm::CORRECTED, NO_PRODUCTS, c.data()}).L;
+    };
+    double L = costAt(estimate.noise);
+    // At the noise that is returned, too, a guess is not made worse.
+    if (options.guess && rayPass(data, data.fromObject(*options.guess), estimate.noise).L < L) {
+        estimate.noise = found.noise;
+        L = costAt(estimate.noise);
+    }
+    solution.cost += L - found.sums.L;
     solution.noise.Sigma = area * estimate.noise.Sigma;
     solution.noise.Gamma = estimate.noise.Gamma;
     if (!options.Sigma && !published)

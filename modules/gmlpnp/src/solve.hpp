@@ -43,6 +43,12 @@ struct Solution
     std::optional<Matrix3d> objectError, bearingError;  // standard errors of the entries of an estimated noise
 };
 
+/** Whether a status comes with a pose. */
+inline bool isSuccess(int status)
+{
+    return status == STATUS_CONVERGED || status == STATUS_MAX_ROUNDS;
+}
+
 /** The distinct poses, best first, with their noise; with a status that is not a success `solutions` is untouched. */
 CV_EXPORTS Status solveAll(const Observations& observations, const Options& options, std::vector<Solution>& solutions);
 

@@ -47,9 +47,8 @@ int solveBatch(InputArrayOfArrays objectPoints, InputArrayOfArrays rays, std::ve
             solveOne(inputs[k], options, found[k]);
     });
     results.swap(found);
-    return static_cast<int>(std::count_if(results.begin(), results.end(), [](const Result& result) {
-        return result.status == STATUS_CONVERGED || result.status == STATUS_MAX_ROUNDS;
-    }));
+    return static_cast<int>(
+        std::count_if(results.begin(), results.end(), [](const Result& result) { return isSuccess(result.status); }));
 }
 
 }  // namespace gmlpnp

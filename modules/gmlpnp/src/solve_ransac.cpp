@@ -68,7 +68,7 @@ Status solveInliers(const Observations& all, const Measure& measure, Options opt
             return STATUS_NO_CONSENSUS;
         std::vector<Solution> solutions;
         status = solveAll(chosen(all, inliers), options, solutions);
-        if (status != STATUS_CONVERGED && status != STATUS_MAX_ROUNDS)
+        if (!isSuccess(status))
             return status;
         robust.solution = solutions.front();
         robust.used = inliers;
@@ -100,11 +100,6 @@ Status runRansac(const Input& input, const Measure& measure, const Options& opti
     if (!consensus)
         return STATUS_NO_CONSENSUS;
     return solveInliers(input.observations, measure, options, consensus->pose, robust);
-}
-
-bool isSuccess(Status status)
-{
-    return status == STATUS_CONVERGED || status == STATUS_MAX_ROUNDS;
 }
 
 std::vector<int> callersRows(const Input& input, const std::vector<int>& rows)

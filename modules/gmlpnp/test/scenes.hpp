@@ -40,6 +40,15 @@ testing::AssertionResult matrixNear(const Eigen::MatrixBase<A>& a, const Eigen::
     return testing::AssertionFailure() << "differ by " << worst << " > " << bound << "\n" << a << "\nand\n" << b;
 }
 
+inline constexpr int METHODS[] = {cv::gmlpnp::SOLVEPNP_GMLPNP, cv::gmlpnp::SOLVEPNP_GMLPNP_MARGINAL};
+
+inline cv::gmlpnp::Params paramsOf(int method)
+{
+    cv::gmlpnp::Params params;
+    params.method = method;
+    return params;
+}
+
 Matrix3d matrix3(const cv::Mat& m);
 Matrix6d matrix6(const cv::Mat& m);
 

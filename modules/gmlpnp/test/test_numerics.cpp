@@ -16,15 +16,6 @@ using namespace cv::gmlpnp::detail;
 using cv::gmlpnp::Params;
 using cv::gmlpnp::Result;
 
-constexpr int METHODS[] = {cv::gmlpnp::SOLVEPNP_GMLPNP, cv::gmlpnp::SOLVEPNP_GMLPNP_MARGINAL};
-
-Params paramsOf(int method)
-{
-    Params params;
-    params.method = method;
-    return params;
-}
-
 cv::Mat_<double> affine(const cv::Mat& points, double scale, const cv::Vec3d& offset)
 {
     cv::Mat_<double> out(points.size());

@@ -15,15 +15,6 @@ namespace {
 using cv::gmlpnp::Params;
 using cv::gmlpnp::Result;
 
-constexpr int METHODS[] = {cv::gmlpnp::SOLVEPNP_GMLPNP, cv::gmlpnp::SOLVEPNP_GMLPNP_MARGINAL};
-
-Params paramsOf(int method)
-{
-    Params params;
-    params.method = method;
-    return params;
-}
-
 cv::Mat_<double> affine(const cv::Mat_<double>& m, double scale, double offset = 0)
 {
     cv::Mat_<double> out;
