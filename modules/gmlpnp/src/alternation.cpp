@@ -76,6 +76,14 @@ constexpr int SCORING_POINTS = 200;
 // What scoring leaves to do after a round is of second order, so it may stop this much earlier (no figure changes).
 constexpr double SCORING_AHEAD = 10;
 
+// The promised change of L below which the sums after the last step are not worth a pass [nat].
+double goodEnough(LastSums last)
+{
+    if (last == LastSums::AT_POSE)
+        return 0;
+    return (last == LastSums::NOTHING ? SCORING_AHEAD : 1) * DEFAULT_TOLERANCE;
+}
+
 // One noise only: for both at once the expected curvature is far from the true one where depths hardly differ.
 Products productsFor(NoiseKind kind)
 {
@@ -127,7 +135,7 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
         const double promise = promised(now, next.noise, xi);
         next.converged = settled(now, next, promise, (options.products ? SCORING_AHEAD : 1) * stopping.tolerance);
         const bool last = next.converged || next.rounds == stopping.maxRounds;
-        if (last && promise < DEFAULT_TOLERANCE && !stopping.evaluate)
+        if (last && promise < goodEnough(stopping.last))
             return next;
         const bool noiseChanged = !isConstant(kind) || next.noise.tail != now.noise.tail;
         next.sums = pass(next.pose, next.noise);

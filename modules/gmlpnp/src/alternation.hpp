@@ -11,13 +11,21 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
+/** What the sums that come out are good for. Each saves a pass over the one before it, where the last step is small. */
+enum class LastSums
+{
+    AT_POSE,  //!< everything: they are those at the pose that comes out
+    COMPARE,  //!< comparing L: it is off by less than DEFAULT_TOLERANCE
+    NOTHING   //!< knowing that the pose is determined
+};
+
 /** When the alternation ends. */
 struct Stopping
 {
     int maxRounds;
-    double tolerance;      //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
-    bool robust = false;   //!< whether the tails are estimated too
-    bool evaluate = true;  //!< sums at the pose that comes out; false: they may be those one small step before
+    double tolerance;     //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
+    bool robust = false;  //!< whether the tails are estimated too
+    LastSums last = LastSums::AT_POSE;
     bool sampled = false;  //!< scoring by a quarter of the points: the estimate then depends a little on their order
     double tail = 0;       //!< 1/nu at the start; it stays where the tails are not estimated
 };
@@ -37,7 +45,7 @@ struct Estimate
     Pose pose;
     Noise noise;
     NoiseKind kind = NoiseKind::FIXED;
-    RaySums sums;  //!< at pose and noise, or just before (Stopping::evaluate)
+    RaySums sums;  //!< at pose and noise, or just before (Stopping::last)
     int rounds = 0;
     bool converged = false;
     double evidence = std::numeric_limits<double>::infinity();  //!< by how much the kind of noise beats the next, nat

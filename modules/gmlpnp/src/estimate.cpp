@@ -36,7 +36,7 @@ Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const
     const Noise object = isotropic(splitResiduals(data, start).object.a, 0);
     return alternate(data, start, {Sigma ? usable(*Sigma) : object.Sigma, Gamma.value_or(object.Gamma), 0},
                      Sigma ? NoiseKind::FIXED : NoiseKind::ISOTROPIC,
-                     {stopping.maxRounds, stopping.tolerance, false, stopping.evaluate});
+                     {stopping.maxRounds, stopping.tolerance, false, stopping.last});
 }
 
 struct Rival
@@ -91,7 +91,7 @@ PoseMoments poseMoments(const Rival* rivals, int count, const Pose& origin, cons
 // The posterior mean of the pose over the kinds of noise: where the data cannot tell bearing noise from object noise
 // (one depth), the two pull the pose to either side of the truth along the viewing direction. What the prior decided is
 // no knowledge: the spread about that mean is by the likelihoods alone.
-Estimate averaged(const Correspondences& data, const Rival* rivals, int count, bool evaluate)
+Estimate averaged(const Correspondences& data, const Rival* rivals, int count, LastSums last)
 {
     const Rival& best = *std::min_element(rivals, rivals + count,
                                           [](const Rival& a, const Rival& b) { return a.posterior() < b.posterior(); });
@@ -108,7 +108,7 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, b
     out.pose = perturbed(origin, mean);
     out.noise = restricted(out, data.size());
     const bool far = !(0.5 * mean.dot(best.estimate.sums.H * mean) < RISE);
-    if (evaluate || far)
+    if (last == LastSums::AT_POSE || far)
         out.sums = rayPass(data, out.pose, out.noise);
     // Between two minima the mean is no pose that anything speaks for.
     if (far && !accepted(true, best.estimate.sums, out.sums, data.size())) {
@@ -201,9 +201,11 @@ Estimate estimateOther(const Correspondences& data, const Pose& start, const Kno
     const Noise without{Sigma ? usable(*Sigma) : bearing.Sigma, Gamma.value_or(Matrix3d::Zero()), 0};
     const Noise with{Sigma ? without.Sigma : both.Sigma, Sigma ? both.Gamma : without.Gamma, 0};
     const NoiseKind estimated = Sigma ? NoiseKind::BEARING : NoiseKind::OBJECT;
-    const std::array<Rival, 2> rivals = {Rival{alternate(data, start, without, NoiseKind::FIXED, stopping), 0},
-                                         Rival{alternate(data, start, with, estimated, stopping), PENALTY}};
-    return averaged(data, rivals.data(), 2, stopping.evaluate);
+    Stopping fitting = stopping;
+    fitting.last = LastSums::COMPARE;
+    const std::array<Rival, 2> rivals = {Rival{alternate(data, start, without, NoiseKind::FIXED, fitting), 0},
+                                         Rival{alternate(data, start, with, estimated, fitting), PENALTY}};
+    return averaged(data, rivals.data(), 2, stopping.last);
 }
 
 // Those that the part has not ruled out, over all points; how many.
@@ -238,7 +240,7 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
     const Race race = contenders(split);
     std::array<Rival, 3> rivals;
     Stopping fitting = stopping;
-    fitting.evaluate = false;
+    fitting.last = race.count > 1 ? LastSums::COMPARE : LastSums::NOTHING;
     for (int k = 0; k < race.count; ++k) {
         const Contender& next = race.contenders[k];
         // A kind starts where the one before it ended.
@@ -251,7 +253,7 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
         rivals[k].estimate.evidence = race.evidence;
     }
     const int count = part ? overAll(data, rivals.data(), race.count, part->size(), fitting) : race.count;
-    return averaged(data, rivals.data(), count, stopping.evaluate);
+    return averaged(data, rivals.data(), count, stopping.last);
 }
 
 }  // namespace detail

@@ -16,7 +16,7 @@ using KnownNoise = std::optional<Matrix3d>;
 
 // Of many points a part finds the kind of noise and most of the way to its covariance and to the pose: with a `part`
 // (Correspondences::part) the alternation runs on that, one or two passes over all points end it, and the sums are
-// those before the last step unless Stopping::evaluate asks for others.
+// those before the last step unless Stopping::last asks for others.
 
 /** Algorithm 1 of the paper from a pose of isotropic noise. With a known Sigma its Proposition 1 (GMLPnP*). Gamma is
 zero unless given. */

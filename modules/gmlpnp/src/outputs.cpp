@@ -62,7 +62,7 @@ void Outputs::add(const Vec3d& value, OutputArray out, const char* name)
 {
     const int depth = out.empty() && !out.fixedType() ? CV_64F : out.depth();
     Mat column;
-    Mat(value).convertTo(column, depth == CV_32F ? CV_32F : CV_64F);
+    Mat(value, false).convertTo(column, depth == CV_32F ? CV_32F : CV_64F);
     add(column, out, name);
 }
 

@@ -42,7 +42,7 @@ struct PassInput
     double tail;      //!< 1/nu; 0: Gaussian, a shorter loop
     double lever;     //!< share of R Sigma R^T z that is taken off the lever arm, 0 or 1
     Products products;
-    bool sampled;  //!< products of every fourth group of four points only
+    bool sampled;  //!< products of the first four of every sixteen points only
     double* c;     //!< receives each point's squared Mahalanobis residual; null: not wanted
 };
 

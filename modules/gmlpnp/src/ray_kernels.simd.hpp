@@ -272,6 +272,7 @@ enum Features
     TAILS = 2,          // Student-t
     KNOWN = 4,          // each point brings covariances of its own
     PRODUCTS = 8,       // sums of products of Q
+    NOTHING_ELSE = 16,  // than these
     DEPTH_MATTERS = BEARING_NOISE | KNOWN
 };
 
@@ -322,6 +323,10 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>
     }
     const T D = trace(M, adjS), inverseD = 1. / D;
     const Sym3<T> Q = inverseD * sandwich(M, S);
+    if constexpr ((FEATURES & PRODUCTS) != 0)
+        addProducts(Q, depthWeight(at.products, s2), sums.QQ);
+    if constexpr ((FEATURES & NOTHING_ELSE) != 0)
+        return T{};
     // Not Q X: on exact data X is as many times longer than v as a double has digits.
     const Vec3<T> v = cross(m, X), Sv = S * v, z = inverseD * cross(Sv, m);
     const T c = inverseD * dot(v, Sv);
@@ -351,8 +356,6 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>
         sums.Zb += s2 * wzz;
         sums.Gb += s2 * Q;
     }
-    if constexpr ((FEATURES & PRODUCTS) != 0)
-        addProducts(Q, depthWeight(at.products, s2), sums.QQ);
     sums.c += c;
     sums.c2 += c * c;
     sums.D *= D;
@@ -360,18 +363,11 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>
     return c;
 }
 
-// Where the products steer the scoring only, a quarter of the points tells enough: every fourth group of four.
-GMLPNP_INLINE bool inSample(int i)
-{
-    return i % 16 < 4;
-}
-
 // Points [first, last), a whole number of lanes.
 template <class T, int FEATURES>
-void addRange(const PointArrays& data, const PassInput& in, int first, int last, PassSums& out)
+GMLPNP_INLINE void addPoints(const PointArrays& data, const PassState<T>& at, int first, int last, double* c,
+                             Accumulator<T>& sums)
 {
-    const PassState<T> at(in);
-    Accumulator<T> sums;
     for (int i = first; i < last; i += Lanes<T>::COUNT) {
         Sym3<T> knownObject{}, knownRay{};
         if constexpr ((FEATURES & KNOWN) != 0) {
@@ -379,12 +375,25 @@ void addRange(const PointArrays& data, const PassInput& in, int first, int last,
             knownRay = load6<T>(data.known + 6, i);
         }
         const Vec3<T> p = load3<T>(data.point, i), m = load3<T>(data.ray, i);
-        const T c = (FEATURES & PRODUCTS) != 0 && in.sampled && !inSample(i)
-                        ? addPoint<FEATURES & ~PRODUCTS>(at, p, m, knownObject, knownRay, sums)
-                        : addPoint<FEATURES>(at, p, m, knownObject, knownRay, sums);
-        if (in.c)
-            std::memcpy(in.c + i, &c, sizeof c);
+        const T squared = addPoint<FEATURES>(at, p, m, knownObject, knownRay, sums);
+        if (c)
+            std::memcpy(c + i, &squared, sizeof squared);
     }
+}
+
+template <class T>
+void addProductsTo(double* out, const Accumulator<T>& sums)
+{
+    for (int a = 0; a < 21; ++a)
+        out[a] += Lanes<T>::sum(sums.QQ[a]);
+}
+
+template <class T, int FEATURES>
+void addRange(const PointArrays& data, const PassInput& in, int first, int last, PassSums& out)
+{
+    const PassState<T> at(in);
+    Accumulator<T> sums;
+    addPoints<T, FEATURES>(data, at, first, last, in.c, sums);
     addTo(out.Hpp, sums.Hpp);
     for (size_t k = 0; k < 3; ++k)
         addTo(out.Hpd + 3 * k, sums.Hpd[k]);
@@ -397,8 +406,8 @@ void addRange(const PointArrays& data, const PassInput& in, int first, int last,
     addTo(out.gd, sums.gd);
     out.c += Lanes<T>::sum(sums.c);
     out.c2 += Lanes<T>::sum(sums.c2);
-    for (int a = 0; a < 21 && (FEATURES & PRODUCTS) != 0; ++a)
-        out.QQ[a] += Lanes<T>::sum(sums.QQ[a]);
+    if constexpr ((FEATURES & PRODUCTS) != 0)
+        addProductsTo(out.QQ, sums);
     addTo(out.D, sums.D);
     addTo(out.tailed, sums.tailed);
     out.behind += Lanes<T>::sumBits(sums.behind);
@@ -413,13 +422,35 @@ void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
         addRange<double, FEATURES>(data, in, whole, data.size, out);
 }
 
+// Where the products steer the scoring only, a quarter of the points tells enough: the first SAMPLE of each STRETCH.
+constexpr int STRETCH = 16, SAMPLE = 4;
+
+template <class T, int NOISE>
+void addSampledProducts(const PointArrays& data, const PassInput& in, PassSums& out)
+{
+    constexpr int FEATURES = NOISE | PRODUCTS | NOTHING_ELSE;
+    const PassState<T> at(in);
+    Accumulator<T> sums;
+    int i = 0;
+    for (; i + SAMPLE <= data.size; i += STRETCH)
+        addPoints<T, FEATURES>(data, at, i, i + SAMPLE, nullptr, sums);
+    addProductsTo(out.QQ, sums);
+    Accumulator<double> rest;
+    if (i < data.size)
+        addPoints<double, FEATURES>(data, PassState<double>(in), i, data.size, nullptr, rest);
+    addProductsTo(out.QQ, rest);
+}
+
 template <class T, int NOISE>
 void passWith(const PointArrays& data, const PassInput& in, PassSums& out)
 {
+    const bool all = in.products && !in.sampled;
     if (in.tail > 0)
-        in.products ? addAll<T, NOISE | TAILS | PRODUCTS>(data, in, out) : addAll<T, NOISE | TAILS>(data, in, out);
+        all ? addAll<T, NOISE | TAILS | PRODUCTS>(data, in, out) : addAll<T, NOISE | TAILS>(data, in, out);
     else
-        in.products ? addAll<T, NOISE | PRODUCTS>(data, in, out) : addAll<T, NOISE>(data, in, out);
+        all ? addAll<T, NOISE | PRODUCTS>(data, in, out) : addAll<T, NOISE>(data, in, out);
+    if (in.products && in.sampled)
+        addSampledProducts<T, NOISE>(data, in, out);
 }
 
 template <class T>
@@ -429,7 +460,8 @@ void pass(const PointArrays& data, const PassInput& in, PassSums& out)
     for (double entry : in.Gamma)
         bearing = bearing || entry != 0;
     out = PassSums();
-    out.inProducts = in.sampled ? data.size / 16 * 4 + (data.size % 16 < 4 ? data.size % 16 : 4) : data.size;
+    const int rest = data.size % STRETCH;
+    out.inProducts = in.sampled ? data.size / STRETCH * SAMPLE + (rest < SAMPLE ? rest : SAMPLE) : data.size;
     if (data.known[0])
         passWith<T, KNOWN>(data, in, out);
     else if (bearing)

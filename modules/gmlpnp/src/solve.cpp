@@ -124,7 +124,8 @@ std::vector<Estimate> fit(const Correspondences& data, const Options& options, c
     const std::vector<Pose> starts = startingPoses(part ? *part : data, options);
     Options fitting = options;
     // The last sums are needed to compare with other poses and for all that is said about this one.
-    fitting.stopping.evaluate = options.extras || options.guess || starts.size() > 1;
+    const bool needed = options.extras || options.guess || starts.size() > 1;
+    fitting.stopping.last = needed ? LastSums::AT_POSE : LastSums::NOTHING;
     fitting.stopping.sampled = !options.extras;
     std::vector<Estimate> found;
     for (const Pose& start : starts) {
