@@ -52,13 +52,14 @@ double promised(const Estimate& now, const Noise& next, const Vector6d& xi)
     return byPose + 0.25 * std::abs(slope);
 }
 
-bool sameTail(double a, double b)
+bool sameTail(double a, double b, int n, double tolerance)
 {
     constexpr double SAME = 0.1;  // relative: moves L and the pose less than the tolerance does
-    return std::abs(a - b) <= SAME * std::max(a, b);
+    const double step = std::abs(a - b);
+    return step <= SAME * std::max(a, b) || 2 * n * step * step < tolerance;  // information about 1/nu: at most 4 n
 }
 
-bool settled(const Estimate& now, const Estimate& next, double promise, double tolerance)
+bool settled(const Estimate& now, const Estimate& next, double promise, double tolerance, int n)
 {
     if (now.kind == NoiseKind::PUBLISHED)
         return (next.noise.Sigma - now.noise.Sigma).norm() < tolerance * next.noise.Sigma.norm();
@@ -66,7 +67,7 @@ bool settled(const Estimate& now, const Estimate& next, double promise, double t
     constexpr double FIXED_TOLERANCE = 1e-6;  // nat
     const bool fixed = isConstant(now.kind) && next.noise.tail == 0;
     return promise < (fixed ? std::min(tolerance, FIXED_TOLERANCE) : tolerance) &&
-           sameTail(now.noise.tail, next.noise.tail);
+           sameTail(now.noise.tail, next.noise.tail, n, tolerance);
 }
 
 // From this many points on a pass costs more than the larger system of Fisher scoring. The first round is MM's, which
@@ -115,6 +116,7 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
 {
     const int n = data.size();
     const bool isotropicStart = isIsotropic(noise);
+    const bool scaleKnown = data.hasKnown() || isConstant(kind) || stopping.otherKnown;
     std::vector<double> c(stopping.robust ? n : 0);
     PassOptions options{leverArmOf(kind), NO_PRODUCTS, stopping.robust ? c.data() : nullptr, stopping.sampled};
     const auto pass = [&](const Pose& pose, const Noise& at) { return rayPass(data, pose, at, options); };
@@ -130,10 +132,10 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
         next.noise = nextNoise(now, options.products, n);
         options.products = n >= SCORING_POINTS ? productsFor(kind) : NO_PRODUCTS;
         if (stopping.robust && (now.rounds > 0 || !isotropicStart))  // anisotropy looks like tails
-            next.noise.tail = updatedTail(now.noise.tail, c.data(), now.sums, n);
+            next.noise.tail = updatedTail(now.noise.tail, scaleKnown, c.data(), now.sums, n);
         next.pose = perturbed(now.pose, xi);
         const double promise = promised(now, next.noise, xi);
-        next.converged = settled(now, next, promise, (options.products ? SCORING_AHEAD : 1) * stopping.tolerance);
+        next.converged = settled(now, next, promise, (options.products ? SCORING_AHEAD : 1) * stopping.tolerance, n);
         const bool last = next.converged || next.rounds == stopping.maxRounds;
         if (last && promise < goodEnough(stopping.last))
             return next;

@@ -26,8 +26,9 @@ struct Stopping
     double tolerance;     //!< change of L [nat]; published: relative change of Sigma (Frobenius). 0: never
     bool robust = false;  //!< whether the tails are estimated too
     LastSums last = LastSums::AT_POSE;
-    bool sampled = false;  //!< scoring by a quarter of the points: the estimate then depends a little on their order
-    double tail = 0;       //!< 1/nu at the start; it stays where the tails are not estimated
+    bool sampled = false;     //!< scoring by a quarter of the points: the estimate then depends a little on their order
+    bool otherKnown = false;  //!< the noise that is not estimated is known, not absent
+    double tail = 0;          //!< 1/nu at the start; it stays where the tails are not estimated
 };
 
 /** Change of L [nat] that no longer matters: a tenth of a nat moves the pose by a fraction of its standard deviation.

@@ -203,6 +203,7 @@ Estimate estimateOther(const Correspondences& data, const Pose& start, const Kno
     const NoiseKind estimated = Sigma ? NoiseKind::BEARING : NoiseKind::OBJECT;
     Stopping fitting = stopping;
     fitting.last = LastSums::COMPARE;
+    fitting.otherKnown = true;
     const std::array<Rival, 2> rivals = {Rival{alternate(data, start, without, NoiseKind::FIXED, fitting), 0},
                                          Rival{alternate(data, start, with, estimated, fitting), PENALTY}};
     return averaged(data, rivals.data(), 2, stopping.last);

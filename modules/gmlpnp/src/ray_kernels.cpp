@@ -10,8 +10,9 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-const RayKernels RAY_KERNELS_SCALAR = {"scalar",       prepare<double>, pass<double>,      moments<double>,
-                                       behind<double>, tails<double>,   residuals<double>, line<double>};
+const RayKernels RAY_KERNELS_SCALAR = {"scalar",       prepare<double>, pass<double>,        moments<double>,
+                                       behind<double>, tails<double>,   tailWeights<double>, residuals<double>,
+                                       line<double>};
 
 }  // namespace detail
 }  // namespace gmlpnp

@@ -86,6 +86,12 @@ struct LineSums
     ScaledProduct variance;  //!< product of the variances
 };
 
+/** Sums of w = 1 / (1 + c / nu) and of w c over the squared residuals c. */
+struct TailWeights
+{
+    double w{}, wc{};
+};
+
 /** One instruction set. */
 struct RayKernels
 {
@@ -98,6 +104,7 @@ struct RayKernels
     int (*behind)(const PointArrays& data, const double* pose);
     /** For each tail[k] = 1 / nu the product of 1 + tail[k] c over the squared residuals c. */
     void (*tails)(const double* c, int size, const double* tail, int count, ScaledProduct* products);
+    void (*tailWeights)(const double* c, int size, const double* tail, int count, TailWeights* sums);
     /** s^2 and 1/2 |m x X|^2 of each point at a pose. */
     void (*residuals)(const PointArrays& data, const double* pose, double* depth2, double* residual2);
     void (*line)(const double* x, const double* y, int size, double a, double b, LineSums& sums);

@@ -574,6 +574,29 @@ void tails(const double* c, int size, const double* tail, int count, ScaledProdu
 }
 
 template <class T>
+void addTailWeights(const double* c, int first, int last, double tail, TailWeights& out)
+{
+    T w{}, wc{};
+    for (int i = first; i < last; i += Lanes<T>::COUNT) {
+        const T ci = load<T>(c + i), wi = 1. / (1. + tail * ci);
+        w += wi, wc += wi * ci;
+    }
+    out.w += Lanes<T>::sum(w);
+    out.wc += Lanes<T>::sum(wc);
+}
+
+template <class T>
+void tailWeights(const double* c, int size, const double* tail, int count, TailWeights* sums)
+{
+    const int whole = size - size % Lanes<T>::COUNT;
+    for (int k = 0; k < count; ++k) {
+        sums[k] = TailWeights();
+        addTailWeights<T>(c, 0, whole, tail[k], sums[k]);
+        addTailWeights<double>(c, whole, size, tail[k], sums[k]);
+    }
+}
+
+template <class T>
 void writeResiduals(const PointArrays& data, const double* pose, int first, int last, double* depth2, double* residual2)
 {
     const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);

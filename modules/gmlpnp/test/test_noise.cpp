@@ -68,6 +68,25 @@ TEST(Gmlpnp_Noise, tailsCostNothingOnGaussianDataAndSaveTheRest)
     }
 }
 
+// A Gaussian fitted to 20 points of which four are wild is so wide that none looks wild: the tails must show all the
+// same.
+TEST(Gmlpnp_Noise, tailsShowAmongFewPoints)
+{
+    cv::RNG rng = testRng();
+    for (int bad : {0, 4}) {
+        double robust = 0, gaussian = 0;
+        for (int k = 0; k < 1000; ++k) {
+            Scene scene = paperScene(rng, 20, 0.1, 1);
+            contaminate(rng, scene, bad);
+            Params params;
+            robust += distance(solved(scene, params), scene);
+            params.robust = false;
+            gaussian += distance(solved(scene, params), scene);
+        }
+        EXPECT_LT(robust / gaussian, bad == 0 ? 1.02 : 0.7) << bad;
+    }
+}
+
 TEST(Gmlpnp_Noise, weightsNameTheOutliers)
 {
     cv::RNG rng = testRng();

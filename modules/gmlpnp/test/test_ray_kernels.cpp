@@ -190,9 +190,11 @@ TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)
             const double tail = 0.4;
             ScaledProduct tailed;
             kernels->tails(x.data(), n, &tail, 1, &tailed);
+            TailWeights weights;
+            kernels->tailWeights(x.data(), n, &tail, 1, &weights);
 
             int behind = 0;
-            double logTailed = 0, logVariance = 0, wxy = 0, misfit = 0;
+            double logTailed = 0, w = 0, wc = 0, logVariance = 0, wxy = 0, misfit = 0;
             Matrix3d Q = Matrix3d::Zero(), yzQ = Matrix3d::Zero();
             for (int i = 0; i < n; ++i) {
                 const Vector3d m = data.rayAt(i), p = data.pointAt(i), X = pose * p;
@@ -201,6 +203,8 @@ TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)
                 EXPECT_TRUE(near(v2, y[i], 100 * X.squaredNorm()));
                 behind += m.dot(X) < 0;
                 logTailed += std::log1p(tail * s2);
+                w += 1 / (1 + tail * s2);
+                wc += s2 / (1 + tail * s2);
                 logVariance += std::log(variance);
                 wxy += s2 * v2 / (variance * variance);
                 misfit += v2 / variance;
@@ -209,6 +213,8 @@ TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)
             }
             EXPECT_EQ(behind, kernels->behind(data.arrays(), at));
             EXPECT_TRUE(near(logTailed, logarithm(tailed), 1 + n));
+            EXPECT_TRUE(near(w, weights.w, w));
+            EXPECT_TRUE(near(wc, weights.wc, wc));
             EXPECT_TRUE(near(logVariance, logarithm(line.variance), 1 + n));
             EXPECT_TRUE(near(wxy, line.wxy, wxy));
             EXPECT_TRUE(near(misfit, line.misfit, misfit));
