@@ -8,7 +8,8 @@ if [[ "${1:-}" == --help || $# -gt 2 ]]; then
 Usage: scripts/real_data.sh [DATA [OUTPUT]]
 Installs what is missing, builds into build/real_data and runs rgbd_motion, lidar_motion and uav_localization on the
 data sets in DATA (default: GMLPNP_DATA, else ../shared/data): tum_fr1_rpy, kitti360, aerial_ngi and aerial_odm. Those
-that are missing are named and left out. Tables and pictures go to OUTPUT (default: build/real_data/results).
+that are missing are named and left out. Tables and pictures go to OUTPUT (default: build/real_data/results, and the
+tables then also into doc/real_data.md).
 HELP
   [[ "${1:-}" == --help ]] && exit 0 || exit 2
 fi
@@ -81,4 +82,8 @@ if present aerial_odm; then
     --dem="$data/aerial_odm/dsm.tif" --poses="$data/aerial_odm/odm_xyz_opk.csv" \
     --camera="911.719212 911.719212 681.385011 462.000565" \
     --distortion="-0.26406291 0.101889342 0.000734590627 0.000259520671 -0.025819564"
+fi
+
+if [[ $# -lt 2 ]]; then
+  /usr/bin/python3 "$root/scripts/real_data_tables.py" "$output" "$root/doc/real_data.md"
 fi
