@@ -102,6 +102,14 @@ LeverArm leverArmOf(NoiseKind kind)
     return kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED;
 }
 
+// Scoring takes the expected curvature for the true one. Where the noise is all but singular that may lead far off, and
+// a rise of L says so [nat per point, at least RISE]; MM does not.
+bool ledAstray(const RaySums& before, const RaySums& after, int n)
+{
+    constexpr double ASTRAY_PER_POINT = 0.005;
+    return !(after.L <= before.L + std::max(RISE, ASTRAY_PER_POINT * n));
+}
+
 // By scoring where the last pass has summed the products for it.
 Noise nextNoise(const Estimate& now, Products products, int n)
 {
@@ -125,12 +133,14 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
     now.noise = noise;
     now.kind = kind;
     now.sums = pass(start, noise);
+    bool scoring = n >= SCORING_POINTS;
     while (now.rounds < stopping.maxRounds && !now.converged) {
         Vector6d xi = gaussNewtonStep(now.sums);
         Estimate next = now;
         next.rounds++;
+        const bool scored = options.products != NO_PRODUCTS;
         next.noise = nextNoise(now, options.products, n);
-        options.products = n >= SCORING_POINTS ? productsFor(kind) : NO_PRODUCTS;
+        options.products = scoring ? productsFor(kind) : NO_PRODUCTS;
         if (stopping.robust && (now.rounds > 0 || !isotropicStart))  // anisotropy looks like tails
             next.noise.tail = updatedTail(now.noise.tail, scaleKnown, c.data(), now.sums, n);
         next.pose = perturbed(now.pose, xi);
@@ -141,6 +151,13 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
             return next;
         const bool noiseChanged = !isConstant(kind) || next.noise.tail != now.noise.tail;
         next.sums = pass(next.pose, next.noise);
+        if (scored && ledAstray(now.sums, next.sums, n)) {
+            scoring = false;
+            options.products = NO_PRODUCTS;
+            now.sums = pass(now.pose, now.noise);  // c is that of the pose again
+            now.rounds++;
+            continue;
+        }
         for (int k = 0; k < STEP_HALVINGS && !accepted(noiseChanged, now.sums, next.sums, n); ++k) {
             xi *= 0.5;
             next.pose = perturbed(now.pose, xi);
@@ -170,8 +187,13 @@ Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, 
     now.rounds++;
     if (kind == NoiseKind::PUBLISHED)  // Proposition 1 with the noise of the part
         return now;
-    now.noise = noise;
-    now.sums = rayPass(data, now.pose, now.noise);
+    const RaySums scored = rayPass(data, now.pose, noise);
+    if (options.products && ledAstray(now.sums, scored, data.size()))
+        now.sums = rayPass(data, now.pose, now.noise);
+    else {
+        now.noise = noise;
+        now.sums = scored;
+    }
     now.pose = perturbed(now.pose, gaussNewtonStep(now.sums));
     now.rounds++;
     return now;
