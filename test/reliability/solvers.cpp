@@ -163,10 +163,8 @@ Verdict judge(const Solver& solver, const Problem& problem)
     }
     verdict.badPose = !isPose(after);
     verdict.badResult = solver.fullResult && !isComplete(outputs.result, problem.n);
-    verdict.lost =
-        problem.solvable() && !(synthetic::rotationAngle(expSO3(toEigen(after.rvec)), problem.truth.R) < LOST);
-    verdict.rvec = outputs.result.rvec;
-    verdict.tvec = outputs.result.tvec;
+    verdict.pose = {expSO3(toEigen(after.rvec)), toEigen(after.tvec)};
+    verdict.lost = problem.solvable() && !(synthetic::rotationAngle(verdict.pose.R, problem.truth.R) < LOST);
     return verdict;
 }
 

@@ -48,7 +48,7 @@ struct Verdict
     bool badResult = false;      //!< success with another such number, or with a covariance that is none
     bool refused = false;        //!< a solvable problem
     bool lost = false;           //!< success on a solvable problem, more than 0.5 rad from the truth
-    cv::Vec3d rvec, tvec;        //!< of a full result
+    Pose pose;                   //!< of a success
 };
 
 Verdict judge(const Solver& solver, const Problem& problem);

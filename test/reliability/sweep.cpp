@@ -50,12 +50,6 @@ void add(const Verdict& verdict, const Problem& problem, int index, size_t solve
     }
 }
 
-Pose poseOf(const Verdict& verdict)
-{
-    const cv::Vec3d &r = verdict.rvec, &t = verdict.tvec;
-    return {cv::gmlpnp::detail::expSO3({r[0], r[1], r[2]}), {t[0], t[1], t[2]}};
-}
-
 void addSearch(double above, const Problem& problem, int index, Sweep& sweep)
 {
     Tally& tally = sweep.tallies[SEARCHED_SOLVER];
@@ -83,7 +77,7 @@ Sweep sweep(const Settings& settings)
             verdicts.push_back(judge(solver, problem));
         const Verdict& searched = verdicts[SEARCHED_SOLVER];
         const bool search = index < settings.searched && searchable(problem) && searched.solved;
-        const double above = search ? aboveSearch(problem, poseOf(searched), settings.starts) : 0;
+        const double above = search ? aboveSearch(problem, searched.pose, settings.starts) : 0;
         const std::lock_guard<std::mutex> lock(mutex);
         for (size_t s = 0; s < solvers.size(); ++s)
             add(verdicts[s], problem, index, s, out);
