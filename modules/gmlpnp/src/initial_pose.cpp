@@ -77,6 +77,8 @@ Vector3d newtonDirection(const RotationCost& cost, const Matrix3d& R)
 
 PoseCandidate descend(const RotationCost& cost, Matrix3d R)
 {
+    // Where the cost is flat it hides a step that the gradient still tells: a rise within its rounding is none.
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * cost.Omega.trace();
     double f = cost(R);
     for (int round = 0; round < NEWTON_ROUNDS; ++round) {
         Vector3d phi = newtonDirection(cost, R);
@@ -85,12 +87,12 @@ PoseCandidate descend(const RotationCost& cost, Matrix3d R)
             phi = angle > 0 && std::isfinite(angle) ? Vector3d(phi / angle) : Vector3d::Zero();
         Matrix3d next = expSO3(phi) * R;
         double fNext = cost(next);
-        for (int k = 0; k < NEWTON_HALVINGS && fNext > f; ++k) {
+        for (int k = 0; k < NEWTON_HALVINGS && fNext > f + rounding; ++k) {
             phi *= 0.5;
             next = expSO3(phi) * R;
             fNext = cost(next);
         }
-        if (!(fNext <= f))
+        if (!(fNext <= f + rounding))
             break;
         R = next;
         f = fNext;
