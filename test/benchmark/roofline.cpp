@@ -82,6 +82,7 @@ struct Lanes<Counting>
 {
     using Bits = unsigned long long;
     static constexpr int COUNT = 1;
+    static Bits from(int) { return ~0ull; }
     static Counting spread(double x) { return {x}; }
     static double sum(Counting x) { return x.value; }
     static double product(Counting x) { return x.value; }

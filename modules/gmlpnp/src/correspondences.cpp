@@ -56,7 +56,7 @@ void Correspondences::prepare(const Vector3d& origin)
         point[axis] = columns.col(axis).data();
         ray[axis] = columns.col(3 + axis).data();
     }
-    rayKernels().prepare(point, ray, size(), origin.data(), sums);
+    rayKernels(size()).prepare(point, ray, size(), origin.data(), sums);
 }
 
 Correspondences Correspondences::part(int count) const

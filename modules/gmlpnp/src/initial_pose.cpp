@@ -37,7 +37,7 @@ struct RotationCost
 RotationCost rotationCost(const Correspondences& data)
 {
     MomentSums moments;
-    rayKernels().moments(data.arrays(), moments);
+    rayKernels(data.size()).moments(data.arrays(), moments);
     Matrix39d B;
     B << symmetric(moments.pQ[0]), symmetric(moments.pQ[1]), symmetric(moments.pQ[2]);
     RotationCost cost;
@@ -107,7 +107,7 @@ bool inFront(const Correspondences& data, const Pose& pose)
 {
     double at[12]{};
     writePose(pose, at);
-    return 2 * rayKernels().behind(data.arrays(), at) < data.size();
+    return 2 * rayKernels(data.size()).behind(data.arrays(), at) < data.size();
 }
 
 // Two rotations are one minimum when closer than this [rad].

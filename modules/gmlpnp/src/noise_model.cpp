@@ -78,7 +78,8 @@ struct Residuals
     LineSums sums(double a, double b) const
     {
         LineSums out;
-        rayKernels().line(x.data(), y.data(), static_cast<int>(x.size()), a, b, out);
+        const int n = static_cast<int>(x.size());
+        rayKernels(n).line(x.data(), y.data(), n, a, b, out);
         return out;
     }
     // L of isotropic noises: D = (a + b s^2)^2, c = |v|^2 / (a + b s^2).
@@ -94,7 +95,7 @@ Residuals residualsAt(const Correspondences& data, const Pose& pose)
     Residuals out{Eigen::ArrayXd(data.size()), Eigen::ArrayXd(data.size())};
     double at[12]{};
     writePose(pose, at);
-    rayKernels().residuals(data.arrays(), at, out.x.data(), out.y.data());
+    rayKernels(data.size()).residuals(data.arrays(), at, out.x.data(), out.y.data());
     out.x = out.x.max(NOISE_FLOOR);
     out.y += NOISE_FLOOR * NOISE_FLOOR;
     return out;
@@ -150,7 +151,7 @@ TailArray fittedScales(const double* c, int n)
         for (int k = 0; k < TAIL_COUNT; ++k)
             tails[k] = triedTails()[k] / scales[k];
         std::array<TailWeights, TAIL_COUNT> sums;
-        rayKernels().tailWeights(c, n, tails.data(), TAIL_COUNT, sums.data());
+        rayKernels(n).tailWeights(c, n, tails.data(), TAIL_COUNT, sums.data());
         for (int k = 0; k < TAIL_COUNT; ++k)
             scales[k] = 0.5 * sums[k].wc / sums[k].w;
     }
@@ -164,7 +165,7 @@ TailArray tailCosts(const double* c, int n, const TailArray& scales)
     for (int k = 0; k < TAIL_COUNT; ++k)
         tails[k] = triedTails()[k] / scales[k];
     std::array<ScaledProduct, TAIL_COUNT> products;
-    rayKernels().tails(c, n, tails.data(), TAIL_COUNT, products.data());
+    rayKernels(n).tails(c, n, tails.data(), TAIL_COUNT, products.data());
     for (int k = 0; k < TAIL_COUNT; ++k)
         costs[k] = n * std::log(scales[k]) + 0.5 * (1 / triedTails()[k] + 2) * logarithm(products[k]);
     return costs;

@@ -10,9 +10,11 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-const RayKernels RAY_KERNELS_SCALAR = {"scalar",       prepare<double>, pass<double>,        moments<double>,
-                                       behind<double>, tails<double>,   tailWeights<double>, residuals<double>,
-                                       line<double>};
+const RayKernels RAY_KERNELS_SCALAR = {"scalar",          1,
+                                       prepare<double>,   pass<double>,
+                                       moments<double>,   behind<double>,
+                                       tails<double>,     tailWeights<double>,
+                                       residuals<double>, line<double>};
 
 }  // namespace detail
 }  // namespace gmlpnp

@@ -92,11 +92,12 @@ struct TailWeights
     double w{}, wc{};
 };
 
-/** One instruction set. */
+/** One instruction set; its loops take `lanes` points or more. */
 struct RayKernels
 {
     const char* name;
-    /** Takes `centre` off the points and makes the rays unit, in place; size > 0. */
+    int lanes;
+    /** Takes `centre` off the points and makes the rays unit, in place. */
     void (*prepare)(double* const* point, double* const* ray, int size, const double* centre, ColumnSums& sums);
     void (*pass)(const PointArrays& data, const PassInput& input, PassSums& sums);
     void (*moments)(const PointArrays& data, MomentSums& sums);

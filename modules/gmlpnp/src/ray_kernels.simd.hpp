@@ -12,8 +12,10 @@
 #include "ray_kernels.hpp"
 
 #if defined(__GNUC__)
-#define GMLPNP_INLINE inline __attribute__((always_inline))
+#define GMLPNP_INLINE_LAMBDA __attribute__((always_inline))
+#define GMLPNP_INLINE inline GMLPNP_INLINE_LAMBDA
 #else
+#define GMLPNP_INLINE_LAMBDA
 #define GMLPNP_INLINE inline
 #endif
 
@@ -123,6 +125,7 @@ struct Lanes<double>
 {
     using Bits = unsigned long long;
     static constexpr int COUNT = 1;
+    static GMLPNP_INLINE Bits from(int) { return ~0ull; }
     static GMLPNP_INLINE double spread(double x) { return x; }
     static GMLPNP_INLINE double sum(double x) { return x; }
     static GMLPNP_INLINE double product(double x) { return x; }
@@ -142,6 +145,42 @@ struct Lanes<double>
     }
 };
 
+// As many points as there are lanes. Where the last block would not be full it starts earlier, and the lanes whose
+// points have been there before do not count.
+template <class T>
+struct Block
+{
+    explicit GMLPNP_INLINE Block(int i) : first(i), counts(~typename Lanes<T>::Bits{}) {}
+    GMLPNP_INLINE Block(int i, int end)
+        : first(i + Lanes<T>::COUNT <= end ? i : end - Lanes<T>::COUNT), counts(Lanes<T>::from(i - first))
+    {}
+
+    GMLPNP_INLINE T choose(T counted, T other) const
+    {
+        return Lanes<T>::number((Lanes<T>::bits(counted) & counts) | (Lanes<T>::bits(other) & ~counts));
+    }
+    GMLPNP_INLINE Vec3<T> choose(const Vec3<T>& counted, const Vec3<T>& other) const
+    {
+        return {choose(counted.x, other.x), choose(counted.y, other.y), choose(counted.z, other.z)};
+    }
+    GMLPNP_INLINE T only(T x) const { return Lanes<T>::number(Lanes<T>::bits(x) & counts); }
+    GMLPNP_INLINE Vec3<T> only(const Vec3<T>& v) const { return {only(v.x), only(v.y), only(v.z)}; }
+
+    const int first;
+    const typename Lanes<T>::Bits counts;
+};
+
+// The full blocks in a loop of their own, where the masks are constants.
+template <class T, class Body>
+GMLPNP_INLINE void forBlocks(int size, const Body& body)
+{
+    int i = 0;
+    for (; i + Lanes<T>::COUNT <= size; i += Lanes<T>::COUNT)
+        body(Block<T>(i));
+    if (i < size)
+        body(Block<T>(i, size));
+}
+
 template <class T>
 GMLPNP_INLINE T load(const double* from)
 {
@@ -157,11 +196,15 @@ GMLPNP_INLINE Vec3<T> load3(const double* const* from, int i)
 }
 
 template <class T>
+GMLPNP_INLINE void store(T x, double* to)
+{
+    std::memcpy(to, &x, sizeof x);
+}
+
+template <class T>
 GMLPNP_INLINE void store3(const Vec3<T>& v, double* const* to, int i)
 {
-    std::memcpy(to[0] + i, &v.x, sizeof v.x);
-    std::memcpy(to[1] + i, &v.y, sizeof v.y);
-    std::memcpy(to[2] + i, &v.z, sizeof v.z);
+    store(v.x, to[0] + i), store(v.y, to[1] + i), store(v.z, to[2] + i);
 }
 
 template <class T>
@@ -304,9 +347,10 @@ struct PassState
     const Products products;
 };
 
+// A ray of zeros adds nothing but the D that it gets instead.
 template <int FEATURES, class T>
-GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>& m, const Sym3<T>& knownObject,
-                         const Sym3<T>& knownRay, Accumulator<T>& sums)
+GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Vec3<T>& p, const Vec3<T>& m,
+                         const Sym3<T>& knownObject, const Sym3<T>& knownRay, Accumulator<T>& sums)
 {
     const Vec3<T> X = transformed(at.R, at.t, p);
     const Sym3<T> M = outer(m);
@@ -321,7 +365,7 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>
         S += s2 * Gamma;
         adjS = adjugate(S);
     }
-    const T D = trace(M, adjS), inverseD = 1. / D;
+    const T D = block.choose(trace(M, adjS), Lanes<T>::spread(1)), inverseD = 1. / D;
     const Sym3<T> Q = inverseD * sandwich(M, S);
     if constexpr ((FEATURES & PRODUCTS) != 0)
         addProducts(Q, depthWeight(at.products, s2), sums.QQ);
@@ -359,26 +403,24 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Vec3<T>& p, const Vec3<T>
     sums.c += c;
     sums.c2 += c * c;
     sums.D *= D;
-    sums.behind += Lanes<T>::bits(s) >> 63;
+    sums.behind += (Lanes<T>::bits(s) & block.counts) >> 63;
     return c;
 }
 
-// Points [first, last), a whole number of lanes.
 template <class T, int FEATURES>
-GMLPNP_INLINE void addPoints(const PointArrays& data, const PassState<T>& at, int first, int last, double* c,
-                             Accumulator<T>& sums)
+GMLPNP_INLINE void addBlock(const PointArrays& data, const PassState<T>& at, const Block<T>& block, double* c,
+                            Accumulator<T>& sums)
 {
-    for (int i = first; i < last; i += Lanes<T>::COUNT) {
-        Sym3<T> knownObject{}, knownRay{};
-        if constexpr ((FEATURES & KNOWN) != 0) {
-            knownObject = load6<T>(data.known, i);
-            knownRay = load6<T>(data.known + 6, i);
-        }
-        const Vec3<T> p = load3<T>(data.point, i), m = load3<T>(data.ray, i);
-        const T squared = addPoint<FEATURES>(at, p, m, knownObject, knownRay, sums);
-        if (c)
-            std::memcpy(c + i, &squared, sizeof squared);
+    const int i = block.first;
+    Sym3<T> knownObject{}, knownRay{};
+    if constexpr ((FEATURES & KNOWN) != 0) {
+        knownObject = load6<T>(data.known, i);
+        knownRay = load6<T>(data.known + 6, i);
     }
+    const Vec3<T> p = load3<T>(data.point, i), m = block.only(load3<T>(data.ray, i));
+    const T squared = addPoint<FEATURES>(at, block, p, m, knownObject, knownRay, sums);
+    if (c)
+        store(block.choose(squared, load<T>(c + i)), c + i);
 }
 
 template <class T>
@@ -389,11 +431,15 @@ void addProductsTo(double* out, const Accumulator<T>& sums)
 }
 
 template <class T, int FEATURES>
-void addRange(const PointArrays& data, const PassInput& in, int first, int last, PassSums& out)
+void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
 {
     const PassState<T> at(in);
     Accumulator<T> sums;
-    addPoints<T, FEATURES>(data, at, first, last, in.c, sums);
+    int i = 0;
+    for (; i + Lanes<T>::COUNT <= data.size; i += Lanes<T>::COUNT)  // by forBlocks() both noises take a tenth longer
+        addBlock<T, FEATURES>(data, at, Block<T>(i), in.c, sums);
+    if (i < data.size)
+        addBlock<T, FEATURES>(data, at, Block<T>(i, data.size), in.c, sums);
     addTo(out.Hpp, sums.Hpp);
     for (size_t k = 0; k < 3; ++k)
         addTo(out.Hpd + 3 * k, sums.Hpd[k]);
@@ -413,32 +459,22 @@ void addRange(const PointArrays& data, const PassInput& in, int first, int last,
     out.behind += Lanes<T>::sumBits(sums.behind);
 }
 
-template <class T, int FEATURES>
-void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
-{
-    const int whole = data.size - data.size % Lanes<T>::COUNT;
-    addRange<T, FEATURES>(data, in, 0, whole, out);
-    if (whole < data.size)
-        addRange<double, FEATURES>(data, in, whole, data.size, out);
-}
-
 // Where the products steer the scoring only, a quarter of the points tells enough: the first SAMPLE of each STRETCH.
 constexpr int STRETCH = 16, SAMPLE = 4;
 
 template <class T, int NOISE>
 void addSampledProducts(const PointArrays& data, const PassInput& in, PassSums& out)
 {
-    constexpr int FEATURES = NOISE | PRODUCTS | NOTHING_ELSE;
     const PassState<T> at(in);
     Accumulator<T> sums;
-    int i = 0;
-    for (; i + SAMPLE <= data.size; i += STRETCH)
-        addPoints<T, FEATURES>(data, at, i, i + SAMPLE, nullptr, sums);
+    constexpr int FEATURES = NOISE | PRODUCTS | NOTHING_ELSE;
+    int first = 0;
+    for (; first + SAMPLE <= data.size; first += STRETCH)
+        for (int i = first; i < first + SAMPLE; i += Lanes<T>::COUNT)
+            addBlock<T, FEATURES>(data, at, Block<T>(i), nullptr, sums);
+    for (int i = first; i < data.size; i += Lanes<T>::COUNT)
+        addBlock<T, FEATURES>(data, at, Block<T>(i, data.size), nullptr, sums);
     addProductsTo(out.QQ, sums);
-    Accumulator<double> rest;
-    if (i < data.size)
-        addPoints<double, FEATURES>(data, PassState<double>(in), i, data.size, nullptr, rest);
-    addProductsTo(out.QQ, rest);
 }
 
 template <class T, int NOISE>
@@ -471,55 +507,48 @@ void pass(const PointArrays& data, const PassInput& in, PassSums& out)
 }
 
 template <class T>
-void prepareRange(double* const* point, double* const* ray, int first, int last, const double* centre,
-                  const double* firstRay, ColumnSums& out)
+void prepare(double* const* point, double* const* ray, int size, const double* centre, ColumnSums& out)
 {
+    const Vec3<double> along0 = load3<double>(ray, 0), unit0 = 1 / std::sqrt(dot(along0, along0)) * along0;
+    const double firstRay[3] = {unit0.x, unit0.y, unit0.z};
     const Vec3<T> c = spread3<T>(centre), m0 = spread3<T>(firstRay);
     Sym3<T> scatter{};
     T ray2{}, inverse2{}, apart2{};
-    for (int i = first; i < last; i += Lanes<T>::COUNT) {
-        const Vec3<T> given = load3<T>(point, i), p = {given.x - c.x, given.y - c.y, given.z - c.z};
-        store3(p, point, i);
-        scatter += outer(p);
-        const Vec3<T> along = load3<T>(ray, i);
+    forBlocks<T>(size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const Vec3<T> given = load3<T>(point, block.first), p = {given.x - c.x, given.y - c.y, given.z - c.z};
+        store3(block.choose(p, given), point, block.first);
+        scatter += outer(block.only(p));
+        const Vec3<T> along = load3<T>(ray, block.first);
         const T length2 = dot(along, along);
         const Vec3<T> m = 1. / Lanes<T>::squareRoot(length2) * along, d = {m.x - m0.x, m.y - m0.y, m.z - m0.z};
-        store3(m, ray, i);
-        ray2 += length2;
-        inverse2 += 1. / length2;
-        apart2 += dot(d, d);
-    }
-    addTo(out.scatter, scatter);
-    out.ray2 += Lanes<T>::sum(ray2);
-    out.inverse2 += Lanes<T>::sum(inverse2);
-    out.apart2 += Lanes<T>::sum(apart2);
-}
-
-template <class T>
-void prepare(double* const* point, double* const* ray, int size, const double* centre, ColumnSums& out)
-{
-    const int whole = size - size % Lanes<T>::COUNT;
-    const Vec3<double> along = load3<double>(ray, 0), m0 = 1 / std::sqrt(dot(along, along)) * along;
-    const double firstRay[3] = {m0.x, m0.y, m0.z};
+        store3(block.choose(m, along), ray, block.first);
+        ray2 += block.only(length2);
+        inverse2 += block.only(1. / length2);
+        apart2 += block.only(dot(d, d));
+    });
     out = ColumnSums();
-    prepareRange<T>(point, ray, 0, whole, centre, firstRay, out);
-    prepareRange<double>(point, ray, whole, size, centre, firstRay, out);
+    addTo(out.scatter, scatter);
+    out.ray2 = Lanes<T>::sum(ray2);
+    out.inverse2 = Lanes<T>::sum(inverse2);
+    out.apart2 = Lanes<T>::sum(apart2);
 }
 
 template <class T>
-void addMoments(const PointArrays& data, int first, int last, MomentSums& out)
+void moments(const PointArrays& data, MomentSums& out)
 {
     Sym3<T> sumQ{}, sumPQ[3]{}, sumPPQ[6]{};
-    for (int i = first; i < last; i += Lanes<T>::COUNT) {
-        const Vec3<T> p = load3<T>(data.point, i);
-        const Sym3<T> M = outer(load3<T>(data.ray, i));
-        const Sym3<T> Q = {1. - M.xx, -M.xy, -M.xz, 1. - M.yy, -M.yz, 1. - M.zz};
+    forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const Vec3<T> p = load3<T>(data.point, block.first);
+        const Sym3<T> M = outer(block.only(load3<T>(data.ray, block.first)));
+        const T one = block.only(Lanes<T>::spread(1));
+        const Sym3<T> Q = {one - M.xx, -M.xy, -M.xz, one - M.yy, -M.yz, one - M.zz};
         const Sym3<T> xQ = p.x * Q, yQ = p.y * Q, zQ = p.z * Q;
         sumQ += Q;
         sumPQ[0] += xQ, sumPQ[1] += yQ, sumPQ[2] += zQ;
         sumPPQ[0] += p.x * xQ, sumPPQ[1] += p.y * xQ, sumPPQ[2] += p.z * xQ;
         sumPPQ[3] += p.y * yQ, sumPPQ[4] += p.z * yQ, sumPPQ[5] += p.z * zQ;
-    }
+    });
+    out = MomentSums();
     addTo(out.Q, sumQ);
     for (int k = 0; k < 3; ++k)
         addTo(out.pQ[k], sumPQ[k]);
@@ -528,121 +557,76 @@ void addMoments(const PointArrays& data, int first, int last, MomentSums& out)
 }
 
 template <class T>
-void moments(const PointArrays& data, MomentSums& out)
-{
-    const int whole = data.size - data.size % Lanes<T>::COUNT;
-    out = MomentSums();
-    addMoments<T>(data, 0, whole, out);
-    addMoments<double>(data, whole, data.size, out);
-}
-
-template <class T>
-int countBehind(const PointArrays& data, const double* pose, int first, int last)
-{
-    const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);
-    typename Lanes<T>::Bits behind{};
-    for (int i = first; i < last; i += Lanes<T>::COUNT)
-        behind += Lanes<T>::bits(dot(load3<T>(data.ray, i), transformed(R, t, load3<T>(data.point, i)))) >> 63;
-    return static_cast<int>(Lanes<T>::sumBits(behind));
-}
-
-template <class T>
 int behind(const PointArrays& data, const double* pose)
 {
-    const int whole = data.size - data.size % Lanes<T>::COUNT;
-    return countBehind<T>(data, pose, 0, whole) + countBehind<double>(data, pose, whole, data.size);
-}
-
-template <class T>
-void multiplyTails(const double* c, int first, int last, double tail, ScaledProduct& out)
-{
-    Product<T> product;
-    for (int i = first; i < last; i += Lanes<T>::COUNT)
-        product *= 1. + tail * load<T>(c + i);
-    addTo(out, product);
+    const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);
+    typename Lanes<T>::Bits sum{};
+    forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const T s = dot(load3<T>(data.ray, block.first), transformed(R, t, load3<T>(data.point, block.first)));
+        sum += (Lanes<T>::bits(s) & block.counts) >> 63;
+    });
+    return static_cast<int>(Lanes<T>::sumBits(sum));
 }
 
 template <class T>
 void tails(const double* c, int size, const double* tail, int count, ScaledProduct* products)
 {
-    const int whole = size - size % Lanes<T>::COUNT;
     for (int k = 0; k < count; ++k) {
+        Product<T> product;
+        forBlocks<T>(size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+            product *= 1. + tail[k] * block.only(load<T>(c + block.first));
+        });
         products[k] = ScaledProduct();
-        multiplyTails<T>(c, 0, whole, tail[k], products[k]);
-        multiplyTails<double>(c, whole, size, tail[k], products[k]);
+        addTo(products[k], product);
     }
-}
-
-template <class T>
-void addTailWeights(const double* c, int first, int last, double tail, TailWeights& out)
-{
-    T w{}, wc{};
-    for (int i = first; i < last; i += Lanes<T>::COUNT) {
-        const T ci = load<T>(c + i), wi = 1. / (1. + tail * ci);
-        w += wi, wc += wi * ci;
-    }
-    out.w += Lanes<T>::sum(w);
-    out.wc += Lanes<T>::sum(wc);
 }
 
 template <class T>
 void tailWeights(const double* c, int size, const double* tail, int count, TailWeights* sums)
 {
-    const int whole = size - size % Lanes<T>::COUNT;
     for (int k = 0; k < count; ++k) {
-        sums[k] = TailWeights();
-        addTailWeights<T>(c, 0, whole, tail[k], sums[k]);
-        addTailWeights<double>(c, whole, size, tail[k], sums[k]);
-    }
-}
-
-template <class T>
-void writeResiduals(const PointArrays& data, const double* pose, int first, int last, double* depth2, double* residual2)
-{
-    const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);
-    for (int i = first; i < last; i += Lanes<T>::COUNT) {
-        const Vec3<T> p = load3<T>(data.point, i), m = load3<T>(data.ray, i);
-        const Vec3<T> X = transformed(R, t, p), v = cross(m, X);
-        const T s = dot(m, X), s2 = s * s, v2 = 0.5 * dot(v, v);
-        std::memcpy(depth2 + i, &s2, sizeof s2);
-        std::memcpy(residual2 + i, &v2, sizeof v2);
+        T w{}, wc{};
+        forBlocks<T>(size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+            const T ci = load<T>(c + block.first), wi = block.only(1. / (1. + tail[k] * ci));
+            w += wi, wc += wi * ci;
+        });
+        sums[k].w = Lanes<T>::sum(w);
+        sums[k].wc = Lanes<T>::sum(wc);
     }
 }
 
 template <class T>
 void residuals(const PointArrays& data, const double* pose, double* depth2, double* residual2)
 {
-    const int whole = data.size - data.size % Lanes<T>::COUNT;
-    writeResiduals<T>(data, pose, 0, whole, depth2, residual2);
-    writeResiduals<double>(data, pose, whole, data.size, depth2, residual2);
+    const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);
+    forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const int first = block.first;
+        const Vec3<T> p = load3<T>(data.point, first), m = load3<T>(data.ray, first);
+        const Vec3<T> X = transformed(R, t, p), v = cross(m, X);
+        const T s = dot(m, X);
+        store(s * s, depth2 + first);
+        store(0.5 * dot(v, v), residual2 + first);
+    });
 }
 
 template <class T>
-void addLine(const double* x, const double* y, int first, int last, double a, double b, LineSums& out)
+void line(const double* x, const double* y, int size, double a, double b, LineSums& out)
 {
     T w{}, wx{}, wxx{}, wy{}, wxy{}, misfit{};
     Product<T> variances;
-    for (int i = first; i < last; i += Lanes<T>::COUNT) {
-        const T xi = load<T>(x + i), yi = load<T>(y + i);
-        const T variance = a + b * xi, inverse = 1. / variance, wi = inverse * inverse, wxi = wi * xi;
+    forBlocks<T>(size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const T xi = load<T>(x + block.first), yi = load<T>(y + block.first), variance = a + b * xi;
+        const T inverse = block.only(1. / variance), wi = inverse * inverse, wxi = wi * xi;
         w += wi, wx += wxi, wxx += wxi * xi, wy += wi * yi, wxy += wxi * yi;
         misfit += yi * inverse;
-        variances *= variance;
-    }
+        variances *= block.choose(variance, Lanes<T>::spread(1));
+    });
+    out = LineSums();
     const T sums[] = {w, wx, wxx, wy, wxy, misfit};
     double* const to[] = {&out.w, &out.wx, &out.wxx, &out.wy, &out.wxy, &out.misfit};
     for (int k = 0; k < 6; ++k)
-        *to[k] += Lanes<T>::sum(sums[k]);
+        *to[k] = Lanes<T>::sum(sums[k]);
     addTo(out.variance, variances);
-}
-
-template <class T>
-void line(const double* x, const double* y, int size, double a, double b, LineSums& sums)
-{
-    const int whole = size - size % Lanes<T>::COUNT;
-    sums = LineSums();
-    addLine<T>(x, y, 0, whole, a, b, sums);
-    addLine<double>(x, y, whole, size, a, b, sums);
 }
 
 }  // namespace

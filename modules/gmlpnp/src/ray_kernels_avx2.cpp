@@ -16,11 +16,11 @@ namespace gmlpnp {
 namespace detail {
 
 #ifdef GMLPNP_LANES
-const RayKernels RAY_KERNELS_AVX2 = {"avx2",          prepare<Doubles>, pass<Doubles>,        moments<Doubles>,
-                                     behind<Doubles>, tails<Doubles>,   tailWeights<Doubles>, residuals<Doubles>,
-                                     line<Doubles>};
+const RayKernels RAY_KERNELS_AVX2 = {
+    "avx2",          GMLPNP_LANES,   prepare<Doubles>,     pass<Doubles>,      moments<Doubles>,
+    behind<Doubles>, tails<Doubles>, tailWeights<Doubles>, residuals<Doubles>, line<Doubles>};
 #else
-const RayKernels RAY_KERNELS_AVX2 = {"avx2", nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+const RayKernels RAY_KERNELS_AVX2 = {"avx2", 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
 #endif
 
 }  // namespace detail

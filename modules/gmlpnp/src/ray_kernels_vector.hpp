@@ -11,17 +11,33 @@ namespace gmlpnp {
 namespace detail {
 namespace {
 
-using Doubles __attribute__((vector_size(8 * GMLPNP_LANES))) = double;
-using Words __attribute__((vector_size(8 * GMLPNP_LANES))) = unsigned long long;
-
-template <>
-struct Lanes<Doubles>
+template <int COUNT>
+struct Vector
 {
-    using Bits = Words;
-    static constexpr int COUNT = GMLPNP_LANES;
+    typedef double Doubles __attribute__((vector_size(8 * COUNT)));
+    typedef long long Integers __attribute__((vector_size(8 * COUNT)));
+    typedef unsigned long long Words __attribute__((vector_size(8 * COUNT)));
+};
+
+template <int N>
+struct VectorLanes
+{
+    using Doubles = typename Vector<N>::Doubles;
+    using Integers = typename Vector<N>::Integers;
+    using Bits = typename Vector<N>::Words;
+    static constexpr int COUNT = N;
+
+    // All ones from this lane on.
+    static GMLPNP_INLINE Bits from(int lane)
+    {
+        Integers number{};
+        for (int k = 0; k < N; ++k)
+            number[k] = k;
+        return reinterpret_cast<Bits>(number >= lane);
+    }
     static GMLPNP_INLINE Doubles spread(double x) { return x - Doubles{}; }
-    static GMLPNP_INLINE Words bits(Doubles x) { return reinterpret_cast<Words>(x); }
-    static GMLPNP_INLINE Doubles number(Words b) { return reinterpret_cast<Doubles>(b); }
+    static GMLPNP_INLINE Bits bits(Doubles x) { return reinterpret_cast<Bits>(x); }
+    static GMLPNP_INLINE Doubles number(Bits b) { return reinterpret_cast<Doubles>(b); }
     static GMLPNP_INLINE Doubles squareRoot(Doubles x)
     {
         for (int k = 0; k < COUNT; ++k)  // one instruction, as the build says that nobody reads errno
@@ -30,10 +46,11 @@ struct Lanes<Doubles>
     }
     static GMLPNP_INLINE double sum(Doubles x)
     {
-        double total = 0;
-        for (int k = 0; k < COUNT; ++k)
-            total += x[k];
-        return total;
+        if constexpr (N > 2)
+            return VectorLanes<N / 2>::sum(half<typename Vector<N / 2>::Doubles>(x, 0) +
+                                           half<typename Vector<N / 2>::Doubles>(x, 1));
+        else
+            return x[0] + x[1];
     }
     static GMLPNP_INLINE double product(Doubles x)
     {
@@ -42,14 +59,29 @@ struct Lanes<Doubles>
             total *= x[k];
         return total;
     }
-    static GMLPNP_INLINE unsigned long long sumBits(Words b)
+    static GMLPNP_INLINE unsigned long long sumBits(Bits b)
     {
         unsigned long long total = 0;
         for (int k = 0; k < COUNT; ++k)
             total += b[k];
         return total;
     }
+
+private:
+    template <class Half>
+    static GMLPNP_INLINE Half half(Doubles x, size_t which)
+    {
+        Half out;
+        std::memcpy(&out, reinterpret_cast<const char*>(&x) + which * sizeof out, sizeof out);
+        return out;
+    }
 };
+
+using Doubles = Vector<GMLPNP_LANES>::Doubles;
+
+template <>
+struct Lanes<Doubles> : VectorLanes<GMLPNP_LANES>
+{};
 
 }  // namespace
 }  // namespace detail

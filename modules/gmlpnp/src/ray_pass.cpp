@@ -52,19 +52,24 @@ bool available(const RayKernels& kernels)
 
 }  // namespace
 
-std::vector<const RayKernels*> availableKernels()
+const std::vector<const RayKernels*>& availableKernels()
 {
-    std::vector<const RayKernels*> out;
-    for (const RayKernels* kernels : {&RAY_KERNELS_AVX2, &RAY_KERNELS_VECTOR, &RAY_KERNELS_SCALAR})
-        if (available(*kernels))
-            out.push_back(kernels);
-    return out;
+    static const std::vector<const RayKernels*> all = [] {
+        std::vector<const RayKernels*> out;
+        for (const RayKernels* kernels : {&RAY_KERNELS_AVX2, &RAY_KERNELS_VECTOR, &RAY_KERNELS_SCALAR})
+            if (available(*kernels))
+                out.push_back(kernels);
+        return out;
+    }();
+    return all;
 }
 
-const RayKernels& rayKernels()
+const RayKernels& rayKernels(int points)
 {
-    static const RayKernels& best = *availableKernels().front();
-    return best;
+    for (const RayKernels* kernels : availableKernels())
+        if (kernels->lanes <= points)
+            return *kernels;
+    return RAY_KERNELS_SCALAR;
 }
 
 double logarithm(const ScaledProduct& product)

@@ -72,8 +72,9 @@ CV_EXPORTS PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pos
 CV_EXPORTS PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, const Noise& noise);
 
 /** The loops for each instruction set that this machine has, fastest first; the last are scalar. */
-CV_EXPORTS std::vector<const RayKernels*> availableKernels();
-CV_EXPORTS const RayKernels& rayKernels();
+CV_EXPORTS const std::vector<const RayKernels*>& availableKernels();
+/** The fastest whose lanes so many points fill. */
+CV_EXPORTS const RayKernels& rayKernels(int points);
 
 /** R by rows, t: as the kernels take a pose. */
 void writePose(const Pose& pose, double (&out)[12]);
@@ -83,7 +84,12 @@ CV_EXPORTS double logarithm(const ScaledProduct& product);
 
 /** One pass over the points: it reads, it adds, nothing else. No heap. */
 CV_EXPORTS RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise,
-                           const PassOptions& options = {}, const RayKernels& kernels = rayKernels());
+                           const PassOptions& options, const RayKernels& kernels);
+inline RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise,
+                       const PassOptions& options = {})
+{
+    return rayPass(data, pose, noise, options, rayKernels(data.size()));
+}
 
 }  // namespace detail
 }  // namespace gmlpnp

@@ -208,8 +208,11 @@ TEST(Gmlpnp_Numerics, instructionSetsAgree)
             return pose;
         };
         const Pose scalar = poseBy(*availableKernels().back());
-        for (const RayKernels* kernels : availableKernels())
+        for (const RayKernels* kernels : availableKernels()) {
+            if (kernels->lanes > n)
+                continue;
             EXPECT_TRUE(poseNear(poseBy(*kernels), scalar, 1e-9, 1e-9 * scalar.t.norm())) << kernels->name << ", " << n;
+        }
     }
 }
 
