@@ -111,7 +111,7 @@ struct RayKernels
     void (*line)(const double* x, const double* y, int size, double a, double b, LineSums& sums);
 };
 
-extern const RayKernels RAY_KERNELS_SCALAR, RAY_KERNELS_VECTOR, RAY_KERNELS_AVX2;
+extern const RayKernels RAY_KERNELS_SCALAR, RAY_KERNELS_VECTOR, RAY_KERNELS_AVX2, RAY_KERNELS_AVX512;
 
 }  // namespace detail
 }  // namespace gmlpnp

@@ -45,9 +45,14 @@ namespace {
 
 bool available(const RayKernels& kernels)
 {
+    const auto machineHas = [](std::initializer_list<int> features) {
+        return std::all_of(features.begin(), features.end(), checkHardwareSupport);
+    };
     if (!kernels.pass)
         return false;
-    return &kernels != &RAY_KERNELS_AVX2 || (checkHardwareSupport(CV_CPU_AVX2) && checkHardwareSupport(CV_CPU_FMA3));
+    if (&kernels == &RAY_KERNELS_AVX512)
+        return machineHas({CV_CPU_AVX_512F, CV_CPU_AVX_512DQ, CV_CPU_AVX_512VL, CV_CPU_AVX512_SKX, CV_CPU_FMA3});
+    return &kernels != &RAY_KERNELS_AVX2 || machineHas({CV_CPU_AVX2, CV_CPU_FMA3});
 }
 
 }  // namespace
@@ -56,7 +61,8 @@ const std::vector<const RayKernels*>& availableKernels()
 {
     static const std::vector<const RayKernels*> all = [] {
         std::vector<const RayKernels*> out;
-        for (const RayKernels* kernels : {&RAY_KERNELS_AVX2, &RAY_KERNELS_VECTOR, &RAY_KERNELS_SCALAR})
+        for (const RayKernels* kernels :
+             {&RAY_KERNELS_AVX512, &RAY_KERNELS_AVX2, &RAY_KERNELS_VECTOR, &RAY_KERNELS_SCALAR})
             if (available(*kernels))
                 out.push_back(kernels);
         return out;
