@@ -20,7 +20,7 @@ const RayKernels RAY_KERNELS_AVX2 = {
     "avx2",          GMLPNP_LANES,   prepare<Doubles>,     pass<Doubles>,      moments<Doubles>,
     behind<Doubles>, tails<Doubles>, tailWeights<Doubles>, residuals<Doubles>, line<Doubles>};
 #else
-const RayKernels RAY_KERNELS_AVX2 = {"avx2", 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+const RayKernels RAY_KERNELS_AVX2 = {};  // not available
 #endif
 
 }  // namespace detail

@@ -20,7 +20,7 @@ const RayKernels RAY_KERNELS_VECTOR = {"vector",           GMLPNP_LANES,    prep
                                        moments<Doubles>,   behind<Doubles>, tails<Doubles>,   tailWeights<Doubles>,
                                        residuals<Doubles>, line<Doubles>};
 #else
-const RayKernels RAY_KERNELS_VECTOR = {"vector", 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+const RayKernels RAY_KERNELS_VECTOR = {};  // not available
 #endif
 
 }  // namespace detail
