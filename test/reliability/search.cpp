@@ -38,22 +38,45 @@ bool near(const Pose& a, const Pose& b)
 bool searchable(const Problem& problem)
 {
     constexpr int FEWEST = 6;
-    constexpr double ABOVE_ROUNDING = 1e-9;
+    // A pose is R and t, which are rounded: far from the origin by so much that L tells [sizes].
+    const double rounding = std::numeric_limits<double>::epsilon() * (problem.offset + problem.distance);
+    constexpr double ABOVE_ROUNDING = 1e3, SMALLEST = 1e-9;
+    const double noise = problem.objectNoise + problem.distance * problem.rayNoise;
     return problem.n >= FEWEST && !problem.hasGuess() && problem.outliers == 0 && !problem.corrupt &&
            problem.shape != Shape::BEHIND && problem.shape != Shape::UNRELATED &&
-           problem.objectNoise + problem.rayNoise > ABOVE_ROUNDING;
+           noise > std::max(SMALLEST, ABOVE_ROUNDING * rounding);
 }
 
 namespace {
 
-// What the estimator chooses by, near a minimum of isotropic noise; infinite where it finds no pose.
-double criterion(const Correspondences& data, const Pose& minimum)
+// The least L with noise of one kind at a pose: the alternation with the pose held, to its end.
+double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind, const IsotropicNoise& start)
 {
-    Stopping stopping = defaultStopping(false);
-    stopping.robust = true;
-    const Estimate found = estimateMarginal(data, minimum, std::nullopt, std::nullopt, stopping);
-    const bool sound = found.pose.t.allFinite() && determined(found.sums.H) && 2 * found.sums.inFront > data.size();
-    return sound ? found.sums.L + found.penalty : std::numeric_limits<double>::infinity();
+    constexpr int ROUNDS = 100;  // MM moves L by less than a hundredth of a nat then
+    std::vector<double> c(data.size());
+    Noise noise{start.a * Matrix3d::Identity(), start.b * Matrix3d::Identity(), 0};
+    for (int k = 0; k < ROUNDS; ++k) {
+        const RaySums sums = rayPass(data, pose, noise, {LeverArm::CORRECTED, NO_PRODUCTS, c.data()});
+        const double tail = k > 0 ? updatedTail(noise.tail, false, c.data(), sums, data.size()) : 0;
+        noise = updatedNoise(kind, noise, sums, pose.R, data.size());
+        noise.tail = tail;
+    }
+    return rayPass(data, pose, noise).L;
+}
+
+// What speaks against a minimum of isotropic noise, and nothing but the minimum decides; infinite where it is no pose.
+double costOf(const Correspondences& data, const Pose& minimum)
+{
+    const Noise unit{Matrix3d::Identity(), Matrix3d::Zero(), 0};
+    const RaySums sums = rayPass(data, minimum, unit);
+    if (!minimum.t.allFinite() || !determined(sums.H) || 2 * sums.inFront <= data.size())
+        return std::numeric_limits<double>::infinity();
+    const IsotropicSplit split = splitResiduals(data, minimum);
+    const auto cost = [&](NoiseKind kind, const IsotropicNoise& start) {
+        return fittedCost(data, minimum, kind, start) + evidenceAsked(kind) + priorAgainst(kind, split);
+    };
+    return std::min({cost(NoiseKind::OBJECT, split.object), cost(NoiseKind::BEARING, split.bearing),
+                     cost(NoiseKind::BOTH, split.both)});
 }
 
 }  // namespace
@@ -64,8 +87,8 @@ double aboveSearch(const Problem& problem, const Pose& pose, int starts)
     if (data.degenerate())
         return 0;
     const Pose ours = isotropicPose(data, data.fromObject(pose));
-    double best = criterion(data, ours);
-    const double found = best;
+    const double cost = costOf(data, ours);
+    double best = cost;
     cv::RNG rng = experiments::trialRng("search", problem.n, 0);
     std::vector<Pose> minima = {ours};
     for (int k = 0; k < starts; ++k) {
@@ -73,9 +96,9 @@ double aboveSearch(const Problem& problem, const Pose& pose, int starts)
         if (std::any_of(minima.begin(), minima.end(), [&](const Pose& known) { return near(known, minimum); }))
             continue;
         minima.push_back(minimum);
-        best = std::min(best, criterion(data, minimum));
+        best = std::min(best, costOf(data, minimum));
     }
-    return found - best;
+    return cost - best;
 }
 
 }  // namespace reliability

@@ -9,15 +9,15 @@
 
 namespace reliability {
 
-/** Whether the cost of a result can be compared with that of a search: n >= 6, no guess, no wrong correspondences (also
-none behind the camera), no corrupt number, and noise of at least 1e-9: below it L is that of rounding. */
+/** Whether a result can be compared with that of a search: n >= 6, no guess, no wrong correspondences (also none behind
+the camera), no corrupt number, and noise well above the rounding of a pose: below it L is that of rounding. */
 bool searchable(const Problem& problem);
 
-/** By how much [nat] the best that the marginal method comes to from `starts` random rotations is better than what it
-comes to from `pose`, by the criterion it chooses by: L with the penalties of the kinds of noise. Each start has the
-translation that goes with its rotation and is first descended to its isotropic minimum; only poses with most points in
-front count. */
-double aboveSearch(const Problem& problem, const cv::gmlpnp::detail::Pose& pose, int starts);
+/** By how much [nat] the best minimum of isotropic noise that is found from `starts` random rotations is better than
+the one that `pose` belongs to. A minimum is rated by L with the noise that is fitted to it, of the kind that has the
+least with what is asked of each kind (evidenceAsked, priorAgainst); only minima with most points in front count. Each
+start has the translation that goes with its rotation. */
+double aboveSearch(const Problem& problem, const Pose& pose, int starts);
 
 }  // namespace reliability
 

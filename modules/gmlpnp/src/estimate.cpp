@@ -124,8 +124,8 @@ struct Contender
 {
     NoiseKind kind;
     IsotropicNoise start;
-    double penalty;    // nat
-    double prior = 0;  // nat
+    double penalty = 0;  // nat
+    double prior = 0;    // nat
 
     double cost() const { return start.cost + penalty; }
 };
@@ -138,11 +138,21 @@ struct Race
     double evidence;  // nat, of the first over the best that was left out
 };
 
-// An object of little depth looks the same with either noise, but not at the same distance: noise in its points makes
-// it larger than its picture says, noise in the picture smaller. No number of points tells; what is seen so is mostly
-// known well (a marker, a model), and the pixels are not. [nat] in favour of bearing noise, and the relative variance
-// of s^2 by which the data begin to tell.
-constexpr double COMPACT_PRIOR = 8, COMPACT = 0.02;
+}  // namespace
+
+double evidenceAsked(NoiseKind kind)
+{
+    return kind == NoiseKind::BOTH ? PENALTY : 0;
+}
+
+double priorAgainst(NoiseKind kind, const IsotropicSplit& split)
+{
+    // In favour of bearing noise [nat], and the relative variance of s^2 by which the data begin to tell.
+    constexpr double COMPACT_PRIOR = 8, COMPACT = 0.02;
+    return kind == NoiseKind::OBJECT ? COMPACT_PRIOR * std::exp(-split.depth2Variance / COMPACT) : 0;
+}
+
+namespace {
 
 Race contenders(const IsotropicSplit& split)
 {
@@ -152,9 +162,13 @@ Race contenders(const IsotropicSplit& split)
     // asks.
     constexpr double BOTH_MARGIN = 1;
 
-    std::array<Contender, 3> all = {
-        Contender{NoiseKind::OBJECT, split.object, 0, COMPACT_PRIOR * std::exp(-split.depth2Variance / COMPACT)},
-        Contender{NoiseKind::BEARING, split.bearing, 0}, Contender{NoiseKind::BOTH, split.both, PENALTY}};
+    std::array<Contender, 3> all = {Contender{NoiseKind::OBJECT, split.object},
+                                    Contender{NoiseKind::BEARING, split.bearing},
+                                    Contender{NoiseKind::BOTH, split.both}};
+    for (Contender& contender : all) {
+        contender.penalty = evidenceAsked(contender.kind);
+        contender.prior = priorAgainst(contender.kind, split);
+    }
     std::sort(all.begin(), all.end(), [](const Contender& a, const Contender& b) { return a.cost() < b.cost(); });
     Race race{all, 0, std::numeric_limits<double>::infinity()};
     for (const Contender& contender : all) {

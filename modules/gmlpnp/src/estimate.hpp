@@ -24,6 +24,15 @@ CV_EXPORTS Estimate estimatePublished(const Correspondences& data, const Pose& s
                                       const KnownNoise& Gamma, const Stopping& stopping,
                                       const Correspondences* part = nullptr);
 
+/** What a kind of noise must be better than the others to be chosen [nat]: a noise more asks for evidence. */
+CV_EXPORTS double evidenceAsked(NoiseKind kind);
+
+/** What is held against a kind of noise where the data cannot tell [nat]. An object of little depth looks the same with
+either noise, but not at the same distance: noise in its points makes it larger than its picture says, noise in the
+picture smaller. No number of points tells; what is seen so is mostly known well (a marker, a model), and the pixels are
+not. */
+CV_EXPORTS double priorAgainst(NoiseKind kind, const IsotropicSplit& split);
+
 /** Marginal likelihood over pose, Sigma and Gamma, from a pose of isotropic noise. Object noise, bearing noise and both
 are fitted; the noise is that of the likeliest, the pose the mean over all three by their evidence. */
 CV_EXPORTS Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,

@@ -83,7 +83,7 @@ inline bool isConstant(NoiseKind kind)
 
 /** 1/nu of the Student-t that fits the squared residuals `c` of n points best, or 0 where a Gaussian does. The scale is
 known where not all of the noise is estimated. `sums` are those of the same pass. */
-double updatedTail(double tail, bool scaleKnown, const double* c, const RaySums& sums, int n);
+CV_EXPORTS double updatedTail(double tail, bool scaleKnown, const double* c, const RaySums& sums, int n);
 
 /** Evidence a Student-t needs over a Gaussian [nat], unless points are few. */
 constexpr double TAIL_PENALTY = 1;
