@@ -18,11 +18,12 @@ struct PoseCandidate
     double cost;
 };
 
-/** Minima up to this ratio to the best cost are kept: noise may have swapped them. */
-constexpr double INITIAL_COST_RATIO = 1.1;
+/** Minima up to this ratio to the best cost are kept: noise of one shape for all points may have swapped them. */
+constexpr double INITIAL_COST_RATIO = 2;
 
 /** All distinct minima with most points in front of the camera, best first, whose cost is within `costRatio` of the
-best; empty where there is none. No guess is needed; any direction of the rays will do. */
+best; empty where there is none. Unless `costRatio` is infinite one is enough where it is proved to be the only one
+within a tenth of the best. No guess is needed; any direction of the rays will do. */
 CV_EXPORTS std::vector<PoseCandidate> initialPoses(const Correspondences& data, double costRatio = INITIAL_COST_RATIO);
 
 }  // namespace detail
