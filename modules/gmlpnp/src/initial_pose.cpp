@@ -43,8 +43,8 @@ RotationCost rotationCost(const Correspondences& data)
     RotationCost cost;
     cost.P = -symmetric(moments.Q).ldlt().solve(B);
     constexpr int PRODUCT[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
-    for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
+    for (Eigen::Index a = 0; a < 3; ++a)
+        for (Eigen::Index b = 0; b < 3; ++b)
             cost.Omega.block<3, 3>(3 * a, 3 * b) = symmetric(moments.ppQ[PRODUCT[a][b]]);
     cost.Omega += B.transpose().lazyProduct(cost.P);
     cost.Omega = symmetrised(cost.Omega);
