@@ -29,11 +29,13 @@ constexpr int STEP_HALVINGS = 5;
 // With a fixed noise the cost must fall. With an estimated one L may rise a little: shrinkage and the corrected
 // gradient do not follow it exactly. A rise beyond this [nat per point, at least RISE] is a step gone wrong.
 constexpr double RISE_PER_POINT = 0.05;
+// At the minimum rounding would decide whether the last step counts, and with it the order of the points.
+constexpr double ROUNDING = 1e-13;
 
 bool accepted(bool noiseChanged, const RaySums& before, const RaySums& after, int n)
 {
     if (!noiseChanged)
-        return after.misfit <= before.misfit;
+        return after.misfit <= before.misfit * (1 + ROUNDING);
     return after.L <= before.L + std::max(RISE, RISE_PER_POINT * n) && 2 * after.inFront > n;
 }
 
