@@ -120,9 +120,12 @@ bool same(const Pose& a, const Pose& b)
 
 void keep(const PoseCandidate& found, const Correspondences& data, std::vector<PoseCandidate>& minima)
 {
-    for (const PoseCandidate& known : minima)
-        if (same(known.pose, found.pose))
+    for (PoseCandidate& known : minima)
+        if (same(known.pose, found.pose)) {
+            if (found.cost < known.cost)  // the other descent ran out of rounds
+                known = found;
             return;
+        }
     if (inFront(data, found.pose))
         minima.push_back(found);
 }
