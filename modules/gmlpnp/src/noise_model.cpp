@@ -176,12 +176,34 @@ TailArray tailCosts(const double* c, int n, const TailArray& scales)
 constexpr int FEW = 50;
 constexpr int MIN_POINTS_TAILS = 8;  // fewer lose more by tails that are not there than they gain by those that are
 
-// Score test for tails heavier than Gaussian: dL/d(1/nu) at 1/nu = 0 is  sum (c - c^2/4); with the scale fitted too its
-// variance is 4 n, so this much of it promises a gain of TAIL_PENALTY.
-bool mayHaveTails(const RaySums& sums, bool few, int n)
+// Score test for tails heavier than Gaussian: -dL/d(1/nu) at 1/nu = 0 is  sum (c^2/4 - c), of variance 8 n. With the
+// scale fitted too it is  sum (c^2/4 - 2 c + 2), of variance 4 n. The root of twice the variance promises a gain of one
+// nat.
+bool mayHaveTails(const RaySums& sums, bool scaleKnown, int n)
 {
-    const double share = few ? static_cast<double>(n) / FEW : 1;
-    return n >= MIN_POINTS_TAILS && sums.c2 / 4 - 2 * sums.c + 2 * n > share * share * std::sqrt(8 * TAIL_PENALTY * n);
+    if (n < MIN_POINTS_TAILS)
+        return false;
+    if (scaleKnown)
+        return sums.c2 / 4 - sums.c > std::sqrt(16. * n);
+    const double share = std::min(1., static_cast<double>(n) / FEW);
+    return sums.c2 / 4 - 2 * sums.c + 2 * n > share * share * std::sqrt(8. * n);
+}
+
+// The mean of 1/nu over the candidates and the Gaussian, by their likelihoods and a prior that falls with the root of
+// nu. Where the likelihood is flat, a mean errs less than its maximum; where it is not, the two are one.
+double meanTail(const TailArray& costs, double gaussian)
+{
+    constexpr double PRIOR = 2;             // of the first candidate, over that of the Gaussian
+    constexpr double LIKE_GAUSSIAN = 0.02;  // 1/nu: below, the weights hardly differ
+    const double least = std::min(gaussian, *std::min_element(costs.begin(), costs.end()));
+    double total = std::exp(least - gaussian), sum = 0;
+    for (int k = 0; k < TAIL_COUNT; ++k) {
+        const double prior = PRIOR * std::sqrt(triedTails()[k] / triedTails()[0]);
+        const double weight = prior * std::exp(least - costs[k]);
+        total += weight;
+        sum += weight * triedTails()[k];
+    }
+    return sum >= LIKE_GAUSSIAN * total ? sum / total : 0;
 }
 
 }  // namespace
@@ -189,23 +211,14 @@ bool mayHaveTails(const RaySums& sums, bool few, int n)
 double updatedTail(double tail, bool scaleKnown, const double* c, const RaySums& sums, int n)
 {
     const bool few = n < FEW && !scaleKnown;
-    if (tail == 0 && !mayHaveTails(sums, few, n))
+    if (tail == 0 && !mayHaveTails(sums, scaleKnown, n))
         return 0;
     TailArray scales{};
     scales.fill(1);
     if (few)
         scales = fittedScales(c, n);
-    const TailArray costs = tailCosts(c, n, scales);
     const double scale = sums.c / (2 * n);
-    const double gaussian = few ? n * std::log(scale) + n : 0.5 * sums.c - TAIL_PENALTY;
-    const int k = static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
-    if (!(costs[k] < gaussian))
-        return 0;
-    if (k == 0 || k == TAIL_COUNT - 1)
-        return triedTails()[k];
-    // The parabola through the neighbours, in log nu.
-    const double left = costs[k - 1] - costs[k], right = costs[k + 1] - costs[k];
-    return 1 / degreesOfFreedom(k + 0.5 * (left - right) / (left + right));
+    return meanTail(tailCosts(c, n, scales), few ? n * std::log(scale) + n : 0.5 * sums.c);
 }
 
 Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R, int n)

@@ -81,12 +81,9 @@ inline bool isConstant(NoiseKind kind)
     return kind == NoiseKind::FIXED || kind == NoiseKind::ISOTROPIC;
 }
 
-/** 1/nu of the Student-t that fits the squared residuals `c` of n points best, or 0 where a Gaussian does. The scale is
-known where not all of the noise is estimated. `sums` are those of the same pass. */
+/** 1/nu of the Student-t for the squared residuals `c` of n points: its posterior mean, or 0 where a Gaussian does. The
+scale is known where not all of the noise is estimated. `sums` are those of the same pass. */
 CV_EXPORTS double updatedTail(double tail, bool scaleKnown, const double* c, const RaySums& sums, int n);
-
-/** Evidence a Student-t needs over a Gaussian [nat], unless points are few. */
-constexpr double TAIL_PENALTY = 1;
 
 /** The noise of the next round by Fisher scoring; OBJECT or BEARING, `sums` with the products of that kind. */
 CV_EXPORTS Noise scoredNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R);
