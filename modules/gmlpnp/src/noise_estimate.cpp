@@ -48,16 +48,19 @@ struct Units
 {
     Units(const Correspondences& data, const Pose& pose, const Noise& noise)
     {
-        double depth2 = 0;
+        double depth2 = 0, depth4 = 0;
         for (int i = 0; i < data.size(); ++i) {
-            const double s = data.rayAt(i).dot(pose * data.pointAt(i));
-            depth2 += s * s / data.size();
+            const double s = data.rayAt(i).dot(pose * data.pointAt(i)), s2 = s * s;
+            depth2 += s2 / data.size();
+            depth4 += s2 * s2 / data.size();
         }
         const double variance = (noise.Sigma.trace() + depth2 * noise.Gamma.trace()) / 3;
         entry << Vector6d::Constant(variance), Vector6d::Constant(variance / depth2);
+        depth2Variance = depth4 / (depth2 * depth2) - 1;
     }
 
     Vector12d entry;
+    double depth2Variance;  // of s^2, relative: where it is small object noise looks like bearing noise
 };
 
 // The rows and columns of what is not sought become those of the identity.
@@ -141,6 +144,18 @@ void addErrors(const Matrix12d& F, const Units& units, const Which& open, int n,
         out.bearingError = entryDeviations(covariance.bottomRightCorner<6, 6>(), Matrix3d::Identity());
 }
 
+// Also the noise that the pose does without, since the choice makes the other one too large. But not where depths are
+// so alike that hardly anything tells one from the other: what floors lift there would spoil their sum.
+Which soughtOf(NoiseKind kind, const Which& open, const Units& units)
+{
+    constexpr double ALIKE = 0.25;  // .06 where depths are the same and the field is 45 degrees; .6 where they differ
+                                    // by a factor of four
+    const bool both = kind == NoiseKind::BOTH || units.depth2Variance > ALIKE;
+    if (isConstant(kind))
+        return {false, false};
+    return {open.object && (both || kind == NoiseKind::OBJECT), open.bearing && (both || kind == NoiseKind::BEARING)};
+}
+
 }  // namespace
 
 NoiseEstimate estimatedNoise(const Correspondences& data, const Estimate& found, bool givenObject, bool givenBearing)
@@ -150,8 +165,7 @@ NoiseEstimate estimatedNoise(const Correspondences& data, const Estimate& found,
     if (!open.object && !open.bearing)
         return out;
     const Units units(data, found.pose, found.noise);
-    const bool both = found.kind == NoiseKind::BOTH;
-    const Which sought{both || found.kind == NoiseKind::OBJECT, both || found.kind == NoiseKind::BEARING};
+    const Which sought = soughtOf(found.kind, open, units);
     if (sought.object || sought.bearing)
         out.noise = scored(data, found, sought, units);
     addErrors(informationOn(open, data, found.pose, out.noise), units, open, data.size(), found.pose.R, out);

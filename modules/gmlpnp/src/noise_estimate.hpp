@@ -26,8 +26,9 @@ struct NoiseEstimate
 /** Expected curvature of L by the entries xx xy xz yy yz zz of R Sigma R^T and then of Gamma, camera frame. */
 CV_EXPORTS Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const Noise& noise);
 
-/** The noises that `found.kind` estimates, freed from the pull towards isotropy and from ending early, which the pose
-needs and which bias them: a few damped steps of Fisher scoring for all of them at once, at the pose that was found.
+/** The noises that were not given, freed from the pull towards isotropy and from ending early, which the pose needs and
+which bias them: a few damped steps of Fisher scoring for both at once, at the pose that was found. Both also where the
+pose was weighed by one of them, unless the depths are too much alike to tell them apart.
 @param givenObject, givenBearing whether that noise was known. */
 CV_EXPORTS NoiseEstimate estimatedNoise(const Correspondences& data, const Estimate& found, bool givenObject,
                                         bool givenBearing);
