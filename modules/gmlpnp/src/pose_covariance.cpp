@@ -32,14 +32,28 @@ double ellipsoidFactor(double d)
     return low / CHI2_OVER_6;
 }
 
-// Residual degrees of freedom: 2n - 6 judge one variance. A covariance leaves n - 6 to each of its directions; that it
-// covers as promised is measured (doc/theory.md).
-double smallSample(NoiseKind kind, int n)
+// Residual degrees of freedom: 2n - 6 judge one variance. How many a covariance leaves to a direction is measured, so
+// that the ellipsoid covers as promised (doc/theory.md): about n - 6 for object noise across a narrow view, fewer where
+// a third direction is seen, more for bearings, whose noise comes from the two of a picture.
+double freedomOf(NoiseKind kind, double n, double directions)
 {
-    constexpr int FEWEST = 2;
-    if (kind == NoiseKind::FIXED)
-        return 1;
-    return ellipsoidFactor(std::max(kind == NoiseKind::ISOTROPIC ? 2 * n - 6 : n - 6, FEWEST));
+    constexpr double THIRD_DIRECTION = 11, BEARINGS = 3.5, NARROW = 6;
+    switch (kind) {
+        case NoiseKind::ISOTROPIC:
+            return 2 * n - 6;
+        case NoiseKind::BEARING:
+            return n - BEARINGS;
+        case NoiseKind::PUBLISHED:
+            return n - NARROW;
+        default:
+            return n - NARROW - THIRD_DIRECTION * (directions - 2);
+    }
+}
+
+double smallSample(NoiseKind kind, double n, double directions)
+{
+    constexpr double FEWEST = 2;
+    return kind == NoiseKind::FIXED ? 1 : ellipsoidFactor(std::max(freedomOf(kind, n, directions), FEWEST));
 }
 
 }  // namespace
@@ -59,11 +73,31 @@ bool determined(const Matrix6d& H)
     return Eigen::SelfAdjointEigenSolver<Matrix6d>(unit.matrix, Eigen::EigenvaluesOnly).eigenvalues()(0) > SINGULAR;
 }
 
-Matrix6d poseCovariance(const Estimate& estimate, int n)
+double effectiveNumber(const std::vector<double>& weights)
+{
+    double sum = 0, square = 0;
+    for (double w : weights) {
+        sum += w;
+        square += w * w;
+    }
+    return sum * sum / square;
+}
+
+double observedDirections(const Correspondences& data)
+{
+    Matrix3d seen = Matrix3d::Zero();  // mean of I - m m^T, of trace 2
+    for (int i = 0; i < data.size(); ++i) {
+        const Vector3d m = data.rayAt(i).normalized();
+        seen += (Matrix3d::Identity() - m * m.transpose()) / data.size();
+    }
+    return 4 / seen.squaredNorm();
+}
+
+Matrix6d poseCovariance(const Estimate& estimate, double n, double directions)
 {
     const UnitDiagonal H(estimate.sums.H);
     const Matrix6d inverse = H.matrix.ldlt().solve(Matrix6d::Identity());
-    const Matrix6d covariance = smallSample(estimate.kind, n) / tailInformation(estimate.noise.tail) *
+    const Matrix6d covariance = smallSample(estimate.kind, n, directions) / tailInformation(estimate.noise.tail) *
                                     (H.scale.asDiagonal() * inverse * H.scale.asDiagonal()) +
                                 estimate.spread;
     return symmetrised(covariance);

@@ -16,8 +16,16 @@ CV_EXPORTS bool determined(const Matrix6d& H);
 
 /** Covariance of xi = (phi, delta) at an estimate, in the solver's units: H^-1, enlarged where the noise was estimated
 from the same residuals so that the 95 % ellipsoid holds the truth in 95 % of cases, plus the spread between kinds of
-noise. */
-CV_EXPORTS Matrix6d poseCovariance(const Estimate& estimate, int n);
+noise.
+@param n points; with tails the effectiveNumber() of them.
+@param directions the observedDirections() of the points. */
+CV_EXPORTS Matrix6d poseCovariance(const Estimate& estimate, double n, double directions);
+
+/** As many points of equal weight say as much about their mean as these: (sum w)^2 / sum w^2. */
+double effectiveNumber(const std::vector<double>& weights);
+
+/** In how many directions the rays see object noise: 2 across a narrow view, 3 from all around. */
+double observedDirections(const Correspondences& data);
 
 /** Solver's units to the caller's: delta = scale delta'. */
 CV_EXPORTS Matrix6d rescaled(const Matrix6d& covariance, double scale);

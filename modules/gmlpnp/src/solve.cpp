@@ -83,9 +83,10 @@ void addExtras(const Correspondences& data, const Estimate& found, const Options
         solution.objectError = area * estimate.objectError;
     if (!options.Gamma && !published)
         solution.bearingError = estimate.bearingError;
-    if (n > 3 || (options.Sigma && options.Gamma))
-        solution.covariance = rescaled(poseCovariance(found, n), data.scale);
     solution.weights = weights(std::move(c), estimate.noise.tail);
+    if (n > 3 || (options.Sigma && options.Gamma))
+        solution.covariance =
+            rescaled(poseCovariance(found, effectiveNumber(solution.weights), observedDirections(data)), data.scale);
 }
 
 Solution toCaller(const Correspondences& data, const Estimate& found, const Options& options)
