@@ -139,6 +139,16 @@ Mat_<double> knownRays(const Params& params, const Mat_<double>& jacobian, const
     return out;
 }
 
+void scaleRays(const CameraModel& camera, Mat_<double>& rays)
+{
+    constexpr double SMALLEST = 0.01, LARGEST = 100;  // nobody calibrates a lens to the very edge of its field
+    std::vector<double> scales(rays.rows);
+    Vec3d* const ray = rays.ptr<Vec3d>();
+    camera.angularScales(ray, rays.rows, scales.data());
+    for (int i = 0; i < rays.rows; ++i)
+        ray[i] *= std::min(std::max(SMALLEST, scales[i]), LARGEST);
+}
+
 void checkSameCount(const Mat& points, const Mat& images, const char* name)
 {
     if (points.rows != images.rows)
@@ -230,7 +240,8 @@ Input inputPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<Cam
     const bool allUsed = static_cast<int>(input.used.size()) == input.total;
     input.observations = {chosenRows(points, input.used), chosenRows(rays, input.used),
                           chosenRows(knownObject(params, input.total), input.used),
-                          chosenRows(weighed ? knownRays(params, jacobian, valid) : Mat_<double>(), input.used)};
+                          chosenRows(weighed ? knownRays(params, jacobian, valid) : Mat_<double>(), input.used), true};
+    scaleRays(*camera, input.observations.rays);
     if (wantRayByPixel)
         input.rayByPixel = chosenRows(jacobian, input.used);
     // A pixel that is not a number is bad data, not a pixel without a ray; so is a point, also without a ray. Where all

@@ -27,6 +27,11 @@ void CameraModel::unprojectPoints(const Point2d* pixels, int count, Vec3d* rays,
     }
 }
 
+void CameraModel::angularScales(const Vec3d*, int count, double* scales) const
+{
+    std::fill_n(scales, count, 1.);
+}
+
 void CameraModel::unproject(InputArray imagePoints, OutputArray rays, OutputArray valid, OutputArray jacobian) const
 {
     const Mat_<double> pixels = detail::pointsFrom(imagePoints, 2, "imagePoints");

@@ -62,13 +62,18 @@ public:
         Vec3d m;
         if (!unitVector(point, m))
             return false;
-        const double z1 = xi + m[2], d2 = std::sqrt(m[0] * m[0] + m[1] * m[1] + z1 * z1);
-        const double rho = alpha * d2 + (1 - alpha) * z1;
+        const double rho = divisor(m);
         const Point2d p(m[0] / rho, m[1] / rho);
-        if (!(z1 > -w * d2 && rho > 0 && isFinite(p)))
+        if (!(xi + m[2] > -w * distance2(m) && rho > 0 && isFinite(p)))
             return false;
         pixel = k.pixelOf(p);
         return true;
+    }
+
+    void angularScales(const Vec3d* rays, int count, double* scales) const override
+    {
+        for (int i = 0; i < count; ++i)
+            scales[i] = divisor(rays[i]) / (1 + xi);
     }
 
     void write(FileStorage& fs) const override
@@ -80,6 +85,13 @@ public:
     }
 
 private:
+    double distance2(const Vec3d& m) const
+    {
+        const double z1 = xi + m[2];
+        return std::sqrt(m[0] * m[0] + m[1] * m[1] + z1 * z1);
+    }
+    double divisor(const Vec3d& m) const { return alpha * distance2(m) + (1 - alpha) * (xi + m[2]); }
+
     Intrinsics k;
     double xi, alpha;
     double w;  // the domain is z1 > -w d2

@@ -55,13 +55,18 @@ public:
         Vec3d m;
         if (!unitVector(point, m))
             return false;
-        const double d = std::sqrt(beta * (m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]);
-        const double rho = alpha * d + (1 - alpha) * m[2];
+        const double rho = divisor(m);
         const Point2d p(m[0] / rho, m[1] / rho);
-        if (!(m[2] > -w * d && rho > 0 && isFinite(p)))
+        if (!(m[2] > -w * distance(m) && rho > 0 && isFinite(p)))
             return false;
         pixel = k.pixelOf(p);
         return true;
+    }
+
+    void angularScales(const Vec3d* rays, int count, double* scales) const override
+    {
+        for (int i = 0; i < count; ++i)
+            scales[i] = divisor(rays[i]);
     }
 
     void write(FileStorage& fs) const override
@@ -73,6 +78,9 @@ public:
     }
 
 private:
+    double distance(const Vec3d& m) const { return std::sqrt(beta * (m[0] * m[0] + m[1] * m[1]) + m[2] * m[2]); }
+    double divisor(const Vec3d& m) const { return alpha * distance(m) + (1 - alpha) * m[2]; }
+
     Intrinsics k;
     double alpha, beta;
     double w;  // the domain is Z > -w d

@@ -74,6 +74,12 @@ public:
         return true;
     }
 
+    void angularScales(const Vec3d* rays, int count, double* scales) const override
+    {
+        for (int i = 0; i < count; ++i)
+            scales[i] = aroundTheAxis(rays[i]);
+    }
+
     void write(FileStorage& fs) const override
     {
         fs.write("model", "fisheye");
@@ -82,6 +88,13 @@ public:
     }
 
 private:
+    double aroundTheAxis(const Vec3d& m) const
+    {
+        const double sine = std::sqrt(m[0] * m[0] + m[1] * m[1]);
+        double slope;
+        return sine > 0 ? sine / radiusOf(std::atan2(sine, m[2]), slope) : 1;
+    }
+
     // theta_d and its slope by theta.
     double radiusOf(double theta, double& slope) const
     {

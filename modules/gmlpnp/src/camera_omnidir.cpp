@@ -74,6 +74,12 @@ public:
         return true;
     }
 
+    void angularScales(const Vec3d* rays, int count, double* scales) const override
+    {
+        for (int i = 0; i < count; ++i)
+            scales[i] = (rays[i][2] + xi) / (1 + xi);
+    }
+
     void write(FileStorage& fs) const override
     {
         fs.write("model", "omnidir");

@@ -109,6 +109,12 @@ public:
         return true;
     }
 
+    void angularScales(const Vec3d* rays, int count, double* scales) const override
+    {
+        for (int i = 0; i < count; ++i)
+            scales[i] = rays[i][2];
+    }
+
     void write(FileStorage& fs) const override
     {
         fs.write("model", "pinhole");

@@ -23,8 +23,9 @@ constexpr double PARALLEL = 1e-9;
 }  // namespace
 
 Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
-                                 const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances)
-    : columns(objectPoints.rows, 6)
+                                 const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances,
+                                 bool scaled_)
+    : columns(objectPoints.rows, 6), scaled(scaled_)
 {
     using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>;
     columns << Rows(objectPoints[0], size(), 3), Rows(rays[0], size(), 3);
@@ -36,6 +37,16 @@ Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<do
     for (double& entry : sums.scatter)
         entry /= scale * scale;
 
+    setKnown(objectCovariances, rayCovariances);
+    if (!scaled)
+        return;
+    columns.rightCols<3>() = Rows(rays[0], size(), 3);
+    if (hasKnown())
+        known.rightCols<6>().array().colwise() /= columns.rightCols<3>().rowwise().squaredNorm().array();
+}
+
+void Correspondences::setKnown(const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances)
+{
     if (objectCovariances.empty() && rayCovariances.empty())
         return;
     known.setZero(size(), 12);
@@ -59,6 +70,11 @@ void Correspondences::prepare(const Vector3d& origin)
     rayKernels(size()).prepare(point, ray, size(), origin.data(), sums);
 }
 
+double Correspondences::logAngularScales() const
+{
+    return scaled ? 0.5 * columns.rightCols<3>().rowwise().squaredNorm().array().log().sum() : 0;
+}
+
 Correspondences Correspondences::part(int count) const
 {
     Correspondences out;
@@ -74,7 +90,11 @@ Correspondences Correspondences::part(int count) const
         if (hasKnown())
             out.known.row(k) = known.row(i);
     }
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> rays = out.columns.rightCols<3>();
     out.prepare(Vector3d::Zero());
+    out.scaled = scaled;
+    if (scaled)
+        out.columns.rightCols<3>() = rays;
     return out;
 }
 

@@ -21,9 +21,11 @@ class Correspondences
 public:
     /** Both N x 3; rays need not be unit. Of what is not finite() nothing else may be asked.
     Known covariances of each point, N x 9 or empty: of the object points, object frame, length^2, and of the rays,
-    camera frame, rad^2. */
+    camera frame, rad^2.
+    @param scaled whether rays are as long as their angular scales: by the squares Gamma differs from ray to ray. */
     CV_EXPORTS Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
-                               const Mat_<double>& objectCovariances = {}, const Mat_<double>& rayCovariances = {});
+                               const Mat_<double>& objectCovariances = {}, const Mat_<double>& rayCovariances = {},
+                               bool scaled = false);
 
     /** `count` of the points, one drawn from each stretch of the caller's order (always the same ones), with the centre
     and the scale of all: poses and noises of the part are those of the whole. */
@@ -33,7 +35,12 @@ public:
     /** For the kernels; valid as long as this object. */
     CV_EXPORTS PointArrays arrays() const;
     Vector3d pointAt(int i) const { return columns.row(i).head<3>(); }
+    /** As long as its angular scale k. What a pass adds up holds for rays of any length: with  m' = k m  the depth
+    s' = k s  makes of  s'^2 Gamma  the  s^2 k^2 Gamma  that is meant, while c, z and Q stay as they are. Only D is k^2
+    times as large (logAngularScales()), and the known covariances of rays are kept divided by k^2. */
     Vector3d rayAt(int i) const { return columns.row(i).tail<3>(); }
+    /** sum log k: what L is too large by. */
+    CV_EXPORTS double logAngularScales() const;
 
     bool hasKnown() const { return known.rows() > 0; }
     Matrix3d knownObject(int i) const { return knownAt(i, 0); }
@@ -54,13 +61,15 @@ public:
 private:
     Correspondences() = default;
     void prepare(const Vector3d& origin);
+    void setKnown(const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances);
     CV_EXPORTS Matrix3d knownAt(int i, int first) const;
 
     Eigen::Matrix<double, Eigen::Dynamic, 6> columns;  // px py pz mx my mz
     // Entries 0..5 (xx xy xz yy yz zz) of the known object covariance, 6..11 of the known ray covariance; no rows:
     // none.
     Eigen::Matrix<double, Eigen::Dynamic, 12> known;
-    ColumnSums sums;  // the scatter in units of scale^2
+    bool scaled = false;  // whether the rays are as long as their angular scales, not unit
+    ColumnSums sums;      // the scatter in units of scale^2
 };
 
 }  // namespace detail

@@ -538,8 +538,8 @@ void moments(const PointArrays& data, MomentSums& out)
 {
     Sym3<T> sumQ{}, sumPQ[3]{}, sumPPQ[6]{};
     forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
-        const Vec3<T> p = load3<T>(data.point, block.first);
-        const Sym3<T> M = outer(block.only(load3<T>(data.ray, block.first)));
+        const Vec3<T> p = load3<T>(data.point, block.first), m = load3<T>(data.ray, block.first);
+        const Sym3<T> M = block.only(1. / dot(m, m)) * outer(m);
         const T one = block.only(Lanes<T>::spread(1));
         const Sym3<T> Q = {one - M.xx, -M.xy, -M.xz, one - M.yy, -M.yz, one - M.zz};
         const Sym3<T> xQ = p.x * Q, yQ = p.y * Q, zQ = p.z * Q;
@@ -605,7 +605,7 @@ void residuals(const PointArrays& data, const double* pose, double* depth2, doub
         const Vec3<T> X = transformed(R, t, p), v = cross(m, X);
         const T s = dot(m, X);
         store(s * s, depth2 + first);
-        store(0.5 * dot(v, v), residual2 + first);
+        store(0.5 * dot(v, v) / dot(m, m), residual2 + first);
     });
 }
 

@@ -76,7 +76,7 @@ void addExtras(const Correspondences& data, const Estimate& found, const Options
         estimate.noise = found.noise;
         L = costAt(estimate.noise);
     }
-    solution.cost += L - found.sums.L;
+    solution.cost += L - found.sums.L - data.logAngularScales();
     solution.noise.Sigma = area * estimate.noise.Sigma;
     solution.noise.Gamma = estimate.noise.Gamma;
     if (!options.Sigma && !published)
@@ -161,7 +161,7 @@ Status solveAll(const Observations& observations, const Options& options, std::v
     if (observations.points.rows < (options.guess ? 3 : 4))
         return STATUS_TOO_FEW_POINTS;
     const Correspondences data(observations.points, observations.rays, observations.objectCovariances,
-                               observations.rayCovariances);
+                               observations.rayCovariances, observations.scaled);
     if (!data.finite())
         return STATUS_NOT_FINITE;
     if (data.degenerate())

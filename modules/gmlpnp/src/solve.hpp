@@ -15,6 +15,7 @@ namespace detail {
 struct Observations
 {
     Mat_<double> points, rays, objectCovariances, rayCovariances;
+    bool scaled = false;  //!< whether rays are as long as their angular scales; else their length means nothing
 };
 
 /** Checked options, object frame and caller's units. */

@@ -36,7 +36,7 @@ void checkRansac(const RansacParams& ransac, double largestThreshold)
 Observations chosen(const Observations& all, const std::vector<int>& rows)
 {
     return {chosenRows(all.points, rows), chosenRows(all.rays, rows), chosenRows(all.objectCovariances, rows),
-            chosenRows(all.rayCovariances, rows)};
+            chosenRows(all.rayCovariances, rows), all.scaled};
 }
 
 size_t countDifferent(const std::vector<int>& a, const std::vector<int>& b)

@@ -52,6 +52,24 @@ inline cv::gmlpnp::Params paramsOf(int method)
 Matrix3d matrix3(const cv::Mat& m);
 Matrix6d matrix6(const cv::Mat& m);
 
+/** A lens as a caller writes it who knows nothing of angular scales: its pixels are rays and nothing else. */
+class PlainLens : public cv::gmlpnp::CameraModel
+{
+public:
+    explicit PlainLens(const cv::Ptr<CameraModel>& lens_) : lens(lens_) {}
+    bool unprojectPoint(const cv::Point2d& pixel, cv::Vec3d& ray, cv::Matx32d* jacobian) const override
+    {
+        return lens->unprojectPoint(pixel, ray, jacobian);
+    }
+    bool projectPoint(const cv::Vec3d& point, cv::Point2d& pixel) const override
+    {
+        return lens->projectPoint(point, pixel);
+    }
+
+private:
+    cv::Ptr<CameraModel> lens;
+};
+
 }  // namespace opencv_test
 
 #endif  // OPENCV_GMLPNP_TEST_SCENES_HPP

@@ -89,6 +89,14 @@ protected:
     std::vector<Vec3d> grid = polarGrid(GetParam().maxAngle * kDegree);
 };
 
+// Pixels in a radian at the optical axis.
+double pixelsPerRadian(const CameraModel& camera)
+{
+    Point2d centre, aside;
+    EXPECT_TRUE(camera.projectPoint(Vec3d(0, 0, 1), centre) && camera.projectPoint(Vec3d(1e-5, 0, 1), aside));
+    return cv::norm(aside - centre) / 1e-5;
+}
+
 TEST_P(Gmlpnp_Camera, rays_to_pixels_and_back)
 {
     double worst = 0;
@@ -162,6 +170,30 @@ TEST_P(Gmlpnp_Camera, jacobian_agrees_with_projection)
         const Vec2d step(1e-5, -2e-5);  // px
         ASSERT_TRUE(camera->projectPoint(ray + J * step, moved));
         ASSERT_LT(cv::norm(moved - pixel - Point2d(step)), 1e-8 + 1e-12 * cv::norm(pixel)) << m;
+    }
+}
+
+// The angle that a pixel spans around the axis, by the Jacobian. Distortion of the plane may be left out of it, and
+// where fx and fy differ the axis sees their mean; a panorama has no axis.
+TEST_P(Gmlpnp_Camera, angular_scale_is_that_of_the_jacobian_around_the_axis)
+{
+    const std::string name = GetParam().name;
+    if (name == "equirectangular")
+        return;
+    const std::set<std::string> distorted = {"pinhole4",  "pinhole5",    "pinhole8",       "pinhole12",
+                                             "pinhole14", "omnidirUnit", "omnidirLargeXi", "omnidirSmallXi"};
+    const bool exact = distorted.count(name) == 0;
+    const double focal = pixelsPerRadian(*camera);
+    for (const Vec3d& m : polarGrid((exact ? GetParam().maxAngle : 15) * kDegree)) {
+        Point2d pixel;
+        Vec3d ray;
+        Matx32d J;
+        ASSERT_TRUE(camera->projectPoint(m, pixel) && camera->unprojectPoint(pixel, ray, &J)) << m;
+        double scale = 0;
+        camera->angularScales(&m, 1, &scale);
+        const double sine = std::hypot(m[0], m[1]);
+        const Vec3d around = sine > 0 ? Vec3d(-m[1], m[0], 0) / sine : Vec3d(1, 0, 0);
+        EXPECT_NEAR(1, scale / (cv::norm(J.t() * around) * focal), exact ? 0.005 : 0.1) << m;
     }
 }
 

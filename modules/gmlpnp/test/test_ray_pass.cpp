@@ -190,6 +190,40 @@ TEST(Gmlpnp_RayPass, knownCovariancesAdd)
                    rayPass(without, pose, {some.Sigma + unit * P, some.Gamma + B, some.tail}));
 }
 
+// A Gamma that differs from ray to ray by the squares of angular scales is the same as covariances known of each ray.
+TEST(Gmlpnp_RayPass, angularScalesScaleGamma)
+{
+    constexpr int N = 21;
+    cv::RNG rng = testRng();
+    const Scene scene = exactScene(rng, surroundingPoints(rng, N));
+    const Pose pose{randomRotation(rng), gaussian3(rng)};
+    const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), 0.1};
+    cv::Mat_<double> rays = scene.rays.clone(), covariances(N, 9), known(N, 9);
+    double logScales = 0;
+    for (int i = 0; i < N; ++i) {
+        const double scale = rng.uniform(0.2, 1.5);
+        rays.row(i) *= scale;
+        logScales += std::log(scale);
+        const Matrix3d B = randomNoise(rng, 0.1);
+        for (int k = 0; k < 9; ++k) {
+            known(i, k) = B(k / 3, k % 3);
+            covariances(i, k) = scale * scale * noise.Gamma(k / 3, k % 3) + known(i, k);
+        }
+    }
+    const Correspondences scaled(scene.objectPoints, rays, {}, known, true);
+    const Correspondences apart(scene.objectPoints, scene.rays, {}, covariances);
+    EXPECT_NEAR(logScales, scaled.logAngularScales(), 1e-12);
+    EXPECT_EQ(0, apart.logAngularScales());
+    const RaySums a = rayPass(scaled, pose, noise);
+    const RaySums b = rayPass(apart, pose, {noise.Sigma, Matrix3d::Zero(), noise.tail});
+    EXPECT_TRUE(matrixNear(a.H, b.H, 1e-11 * b.H.norm()));
+    EXPECT_TRUE(matrixNear(a.g, b.g, 1e-11 * b.g.norm()));
+    EXPECT_TRUE(matrixNear(a.Zo, b.Zo, 1e-11 * b.Zo.norm()));
+    EXPECT_TRUE(matrixNear(a.Go, b.Go, 1e-11 * b.Go.norm()));
+    EXPECT_NEAR(a.misfit, b.misfit, 1e-11 * b.misfit);
+    EXPECT_NEAR(a.L - logScales, b.L, 1e-10);
+}
+
 // The rays of a scene turned so that R is the true rotation.
 Correspondences turnedTo(const Matrix3d& R, const Scene& scene, Pose& truth)
 {

@@ -17,7 +17,9 @@ The camera pose *and* the noise of the data from n object points and their pixel
     X_i = R p_i + t,   X_i = s_i m_i + noise of covariance  S_i = R Sigma R^T + s_i^2 Gamma
 
 with object points p_i, unit rays m_i, depths s_i > 0, object noise Sigma (3x3, object frame, length^2) and bearing
-noise Gamma (3x3, camera frame, rad^2). R, t turn object coordinates into camera coordinates, as everywhere in OpenCV.
+noise Gamma (3x3, camera frame, rad^2). With a lens Gamma is that of its optical axis and differs from ray to ray by
+the squares of CameraModel::angularScales(): by cos^2 of the angle off the axis for a pinhole. R, t turn object
+coordinates into camera coordinates, as everywhere in OpenCV.
 
 Conventions: lengths are the caller's; angles are radians; pixels are OpenCV's. Where the data do not give a pose
 (too few points, collinear points, NaN) the functions return false and Result::status says why; nothing else is
@@ -80,8 +82,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Known object noise Sigma, 3x3 positive semidefinite, object frame, length^2 (GMLPnP* of Proposition 1).
     //! Empty: estimated.
     CV_PROP_RW Mat objectNoise;
-    //! Known bearing noise Gamma, 3x3 positive semidefinite, camera frame, rad^2. Empty: estimated by the marginal
-    //! method, zero in the published one.
+    //! Known bearing noise Gamma, 3x3 positive semidefinite, camera frame, rad^2, with a lens that at its optical axis:
+    //! diag(1, 1, 0) (px / f)^2 are pixels of a pinhole. Empty: estimated by the marginal method, zero in the published
+    //! one.
     CV_PROP_RW Mat bearingNoise;
     //! Known covariance of each object point, added to Sigma: N rows of 9 (row-major 3x3), object frame, length^2.
     //! Empty: none.
@@ -110,7 +113,7 @@ struct CV_EXPORTS_W_SIMPLE Result
     CV_PROP_RW Vec3d cameraCenter;          //!< -R^T t, object frame, length
     CV_PROP_RW Mat cameraCenterCovariance;  //!< 3x3, object frame, length^2; empty as above
     CV_PROP_RW Mat objectNoise;             //!< Sigma, 3x3, object frame, length^2: estimated, or as given
-    CV_PROP_RW Mat bearingNoise;            //!< Gamma, 3x3, camera frame, rad^2: estimated, or as given
+    CV_PROP_RW Mat bearingNoise;            //!< Gamma, 3x3, camera frame, rad^2 (on the axis): estimated, or as given
     //! Standard errors of the entries of objectNoise, 3x3, length^2, where it was estimated; empty where it was given,
     //! and for the published method, whose covariance is none of the noise. They take both noises for unknown (unless
     //! one was given), whatever noiseModel says. An error far above the trace of the noise says that the data do not
@@ -121,7 +124,9 @@ struct CV_EXPORTS_W_SIMPLE Result
     //! Numerical rank of objectNoise. The published covariance collapses (a direction a round, Neyman-Scott): less
     //! than 3 means that objectNoise is no estimate of the noise along its null space.
     CV_PROP_RW int objectNoiseRank;
-    CV_PROP_RW int noiseModel;  //!< one of #NoiseModel: the likeliest explanation of the residuals
+    //! One of #NoiseModel: the likeliest explanation of the residuals, by which the pose was weighed. Where the depths
+    //! tell the two noises apart, objectNoise and bearingNoise are both estimated whatever it says.
+    CV_PROP_RW int noiseModel;
     //! By how much the likelihood prefers it to the next best [nat]; infinity where there was no choice. Below about 3
     //! the data cannot tell; the pose is then the mean over the explanations, weighed by their likelihoods (and for an
     //! object of little depth by a prior for bearing noise), and poseCovariance holds their spread.

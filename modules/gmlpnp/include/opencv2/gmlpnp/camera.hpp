@@ -175,6 +175,15 @@ public:
     @param valid 255 where the pixel has a ray, 0 where it has none. */
     virtual void unprojectPoints(const Point2d* pixels, int count, Vec3d* rays, uchar* valid) const;
 
+    /** @brief The angles that pixels span at their rays, over that on the optical axis: by so much an error in pixels
+    counts in the bearing. The solvers scale Gamma by their squares; for a pinhole (cos theta) the noise of a pixel is
+    then one Gamma all over the picture. Of the two angles of a pixel it is the one around the axis,
+    sin(theta) / r for the radius r on the plane of focal length 1; distortion may be left out.
+    @param rays unit rays, camera frame.
+    @param count how many.
+    @param scales receives them; 1 for all where a lens of the caller's own does not override this. */
+    virtual void angularScales(const Vec3d* rays, int count, double* scales) const;
+
     /** @brief The pixel of one point of the camera frame; the length of the point does not matter.
     @param point point or ray, camera frame.
     @param pixel image point, px; untouched where the lens does not see the point.
