@@ -73,9 +73,16 @@ inline Matrix3d geometricMean(Matrix3d A, Matrix3d B)
 {
     constexpr int MOST = 60;         // each round takes a quarter off the logarithm of any ratio: never reached
     constexpr double EQUAL = 1e-13;  // of tr(A B) - 3, which is about the square of the relative difference
-    const double sizeA = A.trace(), sizeB = B.trace();
-    A /= sizeA;  // determinants of very small or large entries would leave the range of doubles
-    B /= sizeB;
+    // Both of determinant 1 saves rounds. By way of the trace, as determinants of very small or large entries would
+    // leave the range of doubles; those of nearly singular matrices are rounding.
+    const auto makeUnit = [](Matrix3d& S) {
+        constexpr double REGULAR = 1e-9;
+        const double trace = S.trace(), determinant = (S / trace).determinant();
+        const double size = determinant > REGULAR ? trace * std::cbrt(determinant) : trace;
+        S /= size;
+        return size;
+    };
+    const double sizeA = makeUnit(A), sizeB = makeUnit(B);
     for (int k = 0; k < MOST; ++k) {
         const Matrix3d inverseA = A.inverse();
         A = 0.5 * (A + symmetrised(B.inverse()));
