@@ -140,21 +140,15 @@ const TailArray& triedTails()
     return tails;
 }
 
-// For each candidate the factor of the noise that fits best, by the fixed point  lambda = 1/2 sum w c / sum w  with
-// w = 1 / (1 + c / (lambda nu))  (the parameter-expanded EM of Meng and van Dyk 1997, which converges fast).
+// For each candidate the factor of the noise that fits best: one round of the fixed point  lambda = 1/2 sum w c / sum w
+// with  w = 1 / (1 + c / (lambda nu))  (the parameter-expanded EM of Meng and van Dyk 1997, which converges fast).
 TailArray fittedScales(const double* c, int n)
 {
-    constexpr int ROUNDS = 2;
-    TailArray scales{}, tails{};
-    scales.fill(1);
-    for (int round = 0; round < ROUNDS; ++round) {
-        for (int k = 0; k < TAIL_COUNT; ++k)
-            tails[k] = triedTails()[k] / scales[k];
-        std::array<TailWeights, TAIL_COUNT> sums;
-        rayKernels(n).tailWeights(c, n, tails.data(), TAIL_COUNT, sums.data());
-        for (int k = 0; k < TAIL_COUNT; ++k)
-            scales[k] = 0.5 * sums[k].wc / sums[k].w;
-    }
+    std::array<TailWeights, TAIL_COUNT> sums;
+    rayKernels(n).tailWeights(c, n, triedTails().data(), TAIL_COUNT, sums.data());
+    TailArray scales{};
+    for (int k = 0; k < TAIL_COUNT; ++k)
+        scales[k] = 0.5 * sums[k].wc / sums[k].w;
     return scales;
 }
 

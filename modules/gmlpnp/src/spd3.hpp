@@ -72,7 +72,7 @@ harmonic means, which converge quadratically and stay symmetric. */
 inline Matrix3d geometricMean(Matrix3d A, Matrix3d B)
 {
     constexpr int MOST = 60;         // each round takes a quarter off the logarithm of any ratio: never reached
-    constexpr double EQUAL = 1e-13;  // of tr(A B) - 3, which is about the square of the relative difference
+    constexpr double EQUAL = 1e-11;  // of tr(A B) - 3, about the square of the relative difference
     // Both of determinant 1 saves rounds. By way of the trace, as determinants of very small or large entries would
     // leave the range of doubles; those of nearly singular matrices are rounding.
     const auto makeUnit = [](Matrix3d& S) {
