@@ -386,7 +386,7 @@ TEST(Gmlpnp_Solve, pixelsWithoutARayAreLeftOut)
 bool identical(const Result& a, const Result& b)
 {
     const auto same = [](const cv::Mat& x, const cv::Mat& y) {
-        return x.size() == y.size() && std::memcmp(x.data, y.data, x.total() * x.elemSize()) == 0;
+        return x.size() == y.size() && (x.empty() || std::memcmp(x.data, y.data, x.total() * x.elemSize()) == 0);
     };
     return a.status == b.status && a.rounds == b.rounds && a.cost == b.cost && a.rvec == b.rvec && a.tvec == b.tvec &&
            same(a.poseCovariance, b.poseCovariance) && same(a.objectNoise, b.objectNoise) &&
