@@ -145,8 +145,10 @@ void scaleRays(const CameraModel& camera, Mat_<double>& rays)
     std::vector<double> scales(rays.rows);
     Vec3d* const ray = rays.ptr<Vec3d>();
     camera.angularScales(ray, rays.rows, scales.data());
-    for (int i = 0; i < rays.rows; ++i)
-        ray[i] *= std::min(std::max(SMALLEST, scales[i]), LARGEST);
+    for (int i = 0; i < rays.rows; ++i) {
+        const double length = std::sqrt(ray[i].dot(ray[i]));  // of a caller's own lens it may be any
+        ray[i] *= std::min(std::max(SMALLEST, scales[i]), LARGEST) / length;
+    }
 }
 
 void checkSameCount(const Mat& points, const Mat& images, const char* name)

@@ -383,6 +383,30 @@ TEST(Gmlpnp_Solve, pixelsWithoutARayAreLeftOut)
     EXPECT_EQ(chosen.tvec, masked.tvec);
 }
 
+// Its rays are as long as the caller happened to make them.
+class CarelessLens : public PlainLens
+{
+public:
+    using PlainLens::PlainLens;
+    bool unprojectPoint(const cv::Point2d& pixel, cv::Vec3d& ray, cv::Matx32d* jacobian) const override
+    {
+        const bool seen = PlainLens::unprojectPoint(pixel, ray, jacobian);
+        ray *= 1 + 1e-3 * std::abs(pixel.x);
+        return seen;
+    }
+};
+
+TEST(Gmlpnp_Solve, theLengthOfALensesRaysDoesNotMatter)
+{
+    cv::RNG rng = testRng();
+    const Scene scene = paperScene(rng, 30, 0.05, 1);
+    const cv::Ptr<CameraModel> pinhole = CameraModel::pinhole(paperCamera());
+    Result plain, careless;
+    ASSERT_TRUE(cv::gmlpnp::solve(scene.objectPoints, scene.imagePoints, cv::makePtr<PlainLens>(pinhole), plain));
+    ASSERT_TRUE(cv::gmlpnp::solve(scene.objectPoints, scene.imagePoints, cv::makePtr<CarelessLens>(pinhole), careless));
+    EXPECT_TRUE(poseNear(careless, poseOf(plain.rvec, plain.tvec), 1e-9, 1e-9));
+}
+
 bool identical(const Result& a, const Result& b)
 {
     const auto same = [](const cv::Mat& x, const cv::Mat& y) {
