@@ -10,11 +10,7 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-const RayKernels RAY_KERNELS_SCALAR = {"scalar",          1,
-                                       prepare<double>,   pass<double>,
-                                       moments<double>,   behind<double>,
-                                       tails<double>,     tailWeights<double>,
-                                       residuals<double>, line<double>};
+const RayKernels RAY_KERNELS_SCALAR = kernelsOf<double>("scalar");
 
 }  // namespace detail
 }  // namespace gmlpnp

@@ -629,6 +629,13 @@ void line(const double* x, const double* y, int size, double a, double b, LineSu
     addTo(out.variance, variances);
 }
 
+template <class T>
+constexpr RayKernels kernelsOf(const char* name)
+{
+    return {name,      Lanes<T>::COUNT, prepare<T>,     pass<T>,      moments<T>,
+            behind<T>, tails<T>,        tailWeights<T>, residuals<T>, line<T>};
+}
+
 }  // namespace
 }  // namespace detail
 }  // namespace gmlpnp

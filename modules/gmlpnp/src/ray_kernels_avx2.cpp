@@ -16,9 +16,7 @@ namespace gmlpnp {
 namespace detail {
 
 #ifdef GMLPNP_LANES
-const RayKernels RAY_KERNELS_AVX2 = {
-    "avx2",          GMLPNP_LANES,   prepare<Doubles>,     pass<Doubles>,      moments<Doubles>,
-    behind<Doubles>, tails<Doubles>, tailWeights<Doubles>, residuals<Doubles>, line<Doubles>};
+const RayKernels RAY_KERNELS_AVX2 = kernelsOf<Doubles>("avx2");
 #else
 const RayKernels RAY_KERNELS_AVX2 = {};  // not available
 #endif

@@ -17,9 +17,7 @@ namespace gmlpnp {
 namespace detail {
 
 #ifdef GMLPNP_LANES
-const RayKernels RAY_KERNELS_AVX512 = {"avx512",           GMLPNP_LANES,    prepare<Doubles>, pass<Doubles>,
-                                       moments<Doubles>,   behind<Doubles>, tails<Doubles>,   tailWeights<Doubles>,
-                                       residuals<Doubles>, line<Doubles>};
+const RayKernels RAY_KERNELS_AVX512 = kernelsOf<Doubles>("avx512");
 #else
 const RayKernels RAY_KERNELS_AVX512 = {};  // not available
 #endif

@@ -16,9 +16,7 @@ namespace gmlpnp {
 namespace detail {
 
 #ifdef GMLPNP_LANES
-const RayKernels RAY_KERNELS_VECTOR = {"vector",           GMLPNP_LANES,    prepare<Doubles>, pass<Doubles>,
-                                       moments<Doubles>,   behind<Doubles>, tails<Doubles>,   tailWeights<Doubles>,
-                                       residuals<Doubles>, line<Doubles>};
+const RayKernels RAY_KERNELS_VECTOR = kernelsOf<Doubles>("vector");
 #else
 const RayKernels RAY_KERNELS_VECTOR = {};  // not available
 #endif
