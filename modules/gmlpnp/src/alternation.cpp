@@ -15,11 +15,11 @@ namespace {
 
 Vector6d gaussNewtonStep(const RaySums& sums)
 {
+    const CholeskyFactor<6> cholesky(sums.H);
+    if (cholesky.positiveDefinite())
+        return cholesky.solve(-sums.g);
     const UnitDiagonal H(sums.H);
-    const Vector6d g = H.scale.cwiseProduct(sums.g);
-    const CholeskyFactor<6> cholesky(H.matrix);
-    const Vector6d xi = cholesky.positiveDefinite() ? cholesky.solve(-g) : Vector6d(H.matrix.ldlt().solve(-g));
-    return H.scale.cwiseProduct(xi);
+    return H.scale.cwiseProduct(H.matrix.ldlt().solve(-H.scale.cwiseProduct(sums.g)));
 }
 
 constexpr int STEP_HALVINGS = 5;

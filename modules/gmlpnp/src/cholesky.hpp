@@ -11,8 +11,8 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** A = L L^T of a small matrix of fixed size. Eigen's own has loops for matrices of any size, which cost three times as
-much at 6 x 6. */
+/** A = L D L^T of a small matrix of fixed size, without square roots and indifferent to the units of its rows. Eigen's
+own has loops for matrices of any size, which cost three times as much at 6 x 6. */
 template <int N>
 class CholeskyFactor
 {
@@ -22,18 +22,19 @@ public:
 
     explicit CholeskyFactor(const Matrix& A)
     {
+        double LD[N][N];
         for (int j = 0; j < N; ++j) {
             for (int i = j; i < N; ++i) {
                 double rest = A(i, j);
                 for (int k = 0; k < j; ++k)
-                    rest -= L[i][k] * L[j][k];
-                if (i == j) {
-                    if (!(rest > 0))
-                        return;
-                    inverse[j] = 1 / std::sqrt(rest);
-                }
-                L[i][j] = rest * inverse[j];
+                    rest -= LD[i][k] * L[j][k];
+                LD[i][j] = rest;
             }
+            if (!(LD[j][j] > 0))
+                return;
+            inverse[j] = 1 / LD[j][j];
+            for (int i = j + 1; i < N; ++i)
+                L[i][j] = LD[i][j] * inverse[j];
         }
         positive = true;
     }
@@ -48,20 +49,20 @@ public:
             double rest = b(i);
             for (int k = 0; k < i; ++k)
                 rest -= L[i][k] * x(k);
-            x(i) = rest * inverse[i];
+            x(i) = rest;
         }
         for (int i = N - 1; i >= 0; --i) {
-            double rest = x(i);
+            double rest = x(i) * inverse[i];
             for (int k = i + 1; k < N; ++k)
                 rest -= L[k][i] * x(k);
-            x(i) = rest * inverse[i];
+            x(i) = rest;
         }
         return x;
     }
 
 private:
-    double L[N][N];
-    double inverse[N];  // of the diagonal
+    double L[N][N];     // below the diagonal; ones on it
+    double inverse[N];  // of D
     bool positive = false;
 };
 

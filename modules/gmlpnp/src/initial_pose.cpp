@@ -55,47 +55,72 @@ constexpr int NEWTON_ROUNDS = 30;
 constexpr int NEWTON_HALVINGS = 8;
 constexpr double NEWTON_STEP = 1e-10;  // rad: convergence is quadratic, one more step would be below rounding
 
-// Newton direction on SO(3) for R <- Exp(phi) R; where the Hessian is indefinite, its positive Gauss-Newton part.
-Vector3d newtonDirection(const RotationCost& cost, const Matrix3d& R)
+// Omega times r = vec(R), and the cost r^T Omega r.
+struct CostAt
 {
-    const Eigen::Map<const Vector9d> r(R.data());
-    const Vector9d Or = cost.Omega.lazyProduct(r);
-    const Eigen::Map<const Matrix3d> G(Or.data());
-    Matrix93d J;
-    J << -hat(R.col(0)), -hat(R.col(1)), -hat(R.col(2));
+    CostAt(const RotationCost& cost, const Matrix3d& R)
+    {
+        const Eigen::Map<const Vector9d> r(R.data());
+        Eigen::Map<Vector9d> g(G.data());
+        g = cost.Omega.lazyProduct(r);
+        f = r.dot(g);
+    }
+
+    Matrix3d G;
+    double f;
+};
+
+// Omega J, J = dr/dphi: the rows of the three 9 x 3 blocks of Omega crossed with the columns of R.
+Matrix93d timesJacobian(const Matrix9d& Omega, const Matrix3d& R)
+{
+    Matrix93d out = Matrix93d::Zero();
+    for (Eigen::Index b = 0; b < 3; ++b) {
+        const auto x = Omega.col(3 * b), y = Omega.col(3 * b + 1), z = Omega.col(3 * b + 2);
+        const Vector3d r = R.col(b);
+        out.col(0) += r.y() * z - r.z() * y;
+        out.col(1) += r.z() * x - r.x() * z;
+        out.col(2) += r.x() * y - r.y() * x;
+    }
+    return out;
+}
+
+// Newton direction on SO(3) for R <- Exp(phi) R; where the Hessian is indefinite, its positive Gauss-Newton part.
+Vector3d newtonDirection(const RotationCost& cost, const Matrix3d& R, const Matrix3d& G)
+{
     const Vector3d gradient = R.col(0).cross(G.col(0)) + R.col(1).cross(G.col(1)) + R.col(2).cross(G.col(2));  // J^T Or
-    const Matrix93d OmegaJ = cost.Omega.lazyProduct(J);
-    const Matrix3d gaussNewton = J.transpose().lazyProduct(OmegaJ);
+    const Matrix93d OmegaJ = timesJacobian(cost.Omega, R);
+    Matrix3d gaussNewton = Matrix3d::Zero();  // J^T Omega J
+    for (Eigen::Index b = 0; b < 3; ++b)
+        gaussNewton += hat(R.col(b)) * OmegaJ.middleRows<3>(3 * b);
     const Matrix3d RG = R * G.transpose();
-    const Matrix3d hessian = gaussNewton + symmetrised(RG) - RG.trace() * Matrix3d::Identity();
-    const double ridge = 1e-6 * gaussNewton.trace();
-    Eigen::LLT<Matrix3d> llt(hessian);
-    if (llt.info() != Eigen::Success)
-        llt.compute(gaussNewton + ridge * Matrix3d::Identity());
-    return -llt.solve(gradient);
+    const Matrix3d hessian = symmetrised(gaussNewton + RG) - RG.trace() * Matrix3d::Identity();
+    CholeskyFactor<3> cholesky(hessian);
+    if (!cholesky.positiveDefinite())
+        cholesky = CholeskyFactor<3>(gaussNewton + 1e-6 * gaussNewton.trace() * Matrix3d::Identity());
+    return cholesky.positiveDefinite() ? cholesky.solve(-gradient) : Vector3d::Zero();
 }
 
 PoseCandidate descend(const RotationCost& cost, Matrix3d R)
 {
     // Where the cost is flat it hides a step that the gradient still tells: a rise within its rounding is none.
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * cost.Omega.trace();
-    double f = cost(R);
+    CostAt at(cost, R);
     for (int round = 0; round < NEWTON_ROUNDS; ++round) {
-        Vector3d phi = newtonDirection(cost, R);
+        Vector3d phi = newtonDirection(cost, R, at.G);
         const double angle = phi.norm();
         if (!(angle < CV_PI))  // also NaN
             phi = angle > 0 && std::isfinite(angle) ? Vector3d(phi / angle) : Vector3d::Zero();
         Matrix3d next = expSO3(phi) * R;
-        double fNext = cost(next);
-        for (int k = 0; k < NEWTON_HALVINGS && fNext > f + rounding; ++k) {
+        CostAt atNext(cost, next);
+        for (int k = 0; k < NEWTON_HALVINGS && atNext.f > at.f + rounding; ++k) {
             phi *= 0.5;
             next = expSO3(phi) * R;
-            fNext = cost(next);
+            atNext = CostAt(cost, next);
         }
-        if (!(fNext <= f + rounding))
+        if (!(atNext.f <= at.f + rounding))
             break;
         R = next;
-        f = fNext;
+        at = atNext;
         if (phi.norm() < NEWTON_STEP)
             break;
     }

@@ -31,7 +31,7 @@ Matrix3d mmUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G)
 Matrix3d acceleratedMm(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G)
 {
     const Matrix3d next = mmUpdate(C, Z, G);
-    return symmetrised(next * C.inverse() * next);
+    return symmetrised(next * inverse(C) * next);
 }
 
 Matrix3d regular(const Matrix3d& C, double relative)

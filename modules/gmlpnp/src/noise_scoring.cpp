@@ -59,11 +59,9 @@ struct Prior
 
 Prior prior(const Matrix3d& C, double kappa)
 {
-    const Matrix3d inverse = symmetrised(C.inverse());
-    const Matrix3d pull = inverse - C.trace() / 3 * inverse * inverse;
-    Vector6d q;
-    for (int k = 0; k < 6; ++k)
-        q(k) = inverse(FIRST[k], SECOND[k]);
+    const Matrix3d W = inverse(C);
+    const Matrix3d pull = W - C.trace() / 3 * W * W;
+    const Vector6d q = entriesOf(W);
     return {-0.5 * kappa * againstUnits(pull), kappa * curvature(q * q.transpose())};
 }
 
