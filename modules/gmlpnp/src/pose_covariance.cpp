@@ -85,11 +85,9 @@ double effectiveNumber(const std::vector<double>& weights)
 
 double observedDirections(const Correspondences& data)
 {
-    Matrix3d seen = Matrix3d::Zero();  // mean of I - m m^T, of trace 2
-    for (int i = 0; i < data.size(); ++i) {
-        const Vector3d m = data.rayAt(i).normalized();
-        seen += (Matrix3d::Identity() - m * m.transpose()) / data.size();
-    }
+    MomentSums moments;
+    rayKernels(data.size()).moments(data.arrays(), moments);
+    const Matrix3d seen = symmetric(moments.Q) / data.size();  // mean of I - m m^T, of trace 2
     return 4 / seen.squaredNorm();
 }
 

@@ -70,7 +70,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 
     CV_PROP_RW int method;     //!< one of #Method (default #SOLVEPNP_GMLPNP_MARGINAL)
     CV_PROP_RW int maxRounds;  //!< noise/pose rounds at most; 0: the method's own default (5 published, 20 marginal)
-    //! Marginal: change of the cost L [nat] below which a round is the last (default 1). 0: run all rounds.
+    //! Marginal: change of the cost L [nat] below which a round is the last (default 0.1). 0: run all rounds.
     //! The published method has its own criterion, the relative change of its covariance.
     CV_PROP_RW double tolerance;
     //! Student-t tails where the residuals ask for them, degrees of freedom estimated (default true): wrong matches
