@@ -10,6 +10,15 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
+Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const Noise& noise)
+{
+    const RayProducts products = rayProducts(data, pose, noise, rayKernels(data.size()));
+    const Matrix6d both = curvature(products.both);
+    Matrix12d F;
+    F << curvature(products.object), both, both, curvature(products.bearing);
+    return tailInformation(noise.tail) * F;
+}
+
 namespace {
 
 // Which of the two noises.
@@ -17,31 +26,6 @@ struct Which
 {
     bool object, bearing;
 };
-
-// The blocks of noiseInformation() that `which` needs, a pass each; the others stay zero.
-Matrix12d informationOn(const Which& which, const Correspondences& data, const Pose& pose, const Noise& noise)
-{
-    const auto block = [&](Products products) {
-        return curvature(rayPass(data, pose, noise, {LeverArm::CORRECTED, products, nullptr}).QQ);
-    };
-    Matrix12d F = Matrix12d::Zero();
-    if (which.object)
-        F.topLeftCorner<6, 6>() = block(OF_OBJECT);
-    if (which.bearing)
-        F.bottomRightCorner<6, 6>() = block(OF_BEARING);
-    if (which.object && which.bearing)
-        F.topRightCorner<6, 6>() = F.bottomLeftCorner<6, 6>() = block(OF_OBJECT_AND_BEARING);
-    return tailInformation(noise.tail) * F;
-}
-
-}  // namespace
-
-Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const Noise& noise)
-{
-    return informationOn({true, true}, data, pose, noise);
-}
-
-namespace {
 
 // The 12 entries in units of the isotropic variance at mean depth, so that nothing depends on lengths.
 struct Units
@@ -96,7 +80,7 @@ Noise scored(const Correspondences& data, const Estimate& found, const Which& so
     constexpr double DAMPING = SHRINKAGE / 2;  // of a point
     Vector12d damping;
     damping << 1, 2, 2, 1, 2, 1, 1, 2, 2, 1, 2, 1;
-    const Matrix12d F = informationOn(sought, data, found.pose, found.noise);
+    const Matrix12d F = noiseInformation(data, found.pose, found.noise);
     Matrix12d A = units.entry.asDiagonal() * F * units.entry.asDiagonal();
     A.diagonal() += DAMPING * damping;
     const Eigen::LDLT<Matrix12d> solver(restrictedTo(sought, A));
@@ -168,7 +152,7 @@ NoiseEstimate estimatedNoise(const Correspondences& data, const Estimate& found,
     const Which sought = soughtOf(found.kind, open, units);
     if (sought.object || sought.bearing)
         out.noise = scored(data, found, sought, units);
-    addErrors(informationOn(open, data, found.pose, out.noise), units, open, data.size(), found.pose.R, out);
+    addErrors(noiseInformation(data, found.pose, out.noise), units, open, data.size(), found.pose.R, out);
     return out;
 }
 

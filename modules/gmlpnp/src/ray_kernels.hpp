@@ -24,13 +24,12 @@ struct PointArrays
     int size;
 };
 
-/** Sums of products of Q: the curvature of L by an object noise, by a bearing noise, or by one and the other. */
+/** Sums of products of Q: the curvature of L by an object noise or by a bearing noise. */
 enum Products
 {
     NO_PRODUCTS,
     OF_OBJECT,
-    OF_BEARING,
-    OF_OBJECT_AND_BEARING
+    OF_BEARING
 };
 
 /** A pose and a noise; symmetric matrices as xx xy xz yy yz zz. */
@@ -57,11 +56,17 @@ struct ScaledProduct
 struct PassSums
 {
     double Hpp[6]{}, Hpd[9]{}, Hdd[6]{}, Zo[6]{}, Go[6]{}, Zb[6]{}, Gb[6]{}, gp[3]{}, gd[3]{}, c{}, c2{};
-    //! Of `inProducts` points: sum of Q_a Q_b, s^4 Q_a Q_b or s^2 Q_a Q_b, a <= b of xx xy xz yy yz zz.
+    //! Of `inProducts` points: sum of Q_a Q_b or of s^4 Q_a Q_b, a <= b of xx xy xz yy yz zz.
     double QQ[21]{};
     int inProducts{};
     ScaledProduct D, tailed;      //!< product of D, of 1 + c / nu
     unsigned long long behind{};  //!< points with s < 0
+};
+
+/** Sums of Q_a Q_b, s^4 Q_a Q_b and s^2 Q_a Q_b: the curvature of L by both noises at once. */
+struct InformationSums
+{
+    double object[21]{}, bearing[21]{}, both[21]{};
 };
 
 /** What is seen of the points once centred, and of the rays. */
@@ -100,6 +105,8 @@ struct RayKernels
     /** Takes `centre` off the points and makes the rays unit, in place. */
     void (*prepare)(double* const* point, double* const* ray, int size, const double* centre, ColumnSums& sums);
     void (*pass)(const PointArrays& data, const PassInput& input, PassSums& sums);
+    /** Of the input, the pose and the noise. */
+    void (*information)(const PointArrays& data, const PassInput& input, InformationSums& sums);
     void (*moments)(const PointArrays& data, MomentSums& sums);
     /** Points with s < 0 at a pose, R by rows and then t. */
     int (*behind)(const PointArrays& data, const double* pose);

@@ -305,7 +305,7 @@ GMLPNP_INLINE T depthWeight(Products products, T s2)
 {
     if (products == OF_OBJECT)
         return Lanes<T>::spread(1);
-    return products == OF_BEARING ? s2 * s2 : s2;
+    return s2 * s2;
 }
 
 // What a loop does not need is left out of it at compile time.
@@ -315,7 +315,6 @@ enum Features
     TAILS = 2,          // Student-t
     KNOWN = 4,          // each point brings covariances of its own
     PRODUCTS = 8,       // sums of products of Q
-    NOTHING_ELSE = 16,  // than these
     DEPTH_MATTERS = BEARING_NOISE | KNOWN
 };
 
@@ -347,30 +346,62 @@ struct PassState
     const Products products;
 };
 
-// A ray of zeros adds nothing but the D that it gets instead.
-template <int FEATURES, class T>
-GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Vec3<T>& p, const Vec3<T>& m,
-                         const Sym3<T>& knownObject, const Sym3<T>& knownRay, Accumulator<T>& sums)
+// What a block of points is before it is compared with its rays.
+template <class T>
+struct Seen
 {
-    const Vec3<T> X = transformed(at.R, at.t, p);
-    const Sym3<T> M = outer(m);
-    const T s = dot(m, X), s2 = s * s;
-    Sym3<T> S_o = at.S_o, Gamma = at.Gamma;
+    Vec3<T> X, m;
+    T s, s2, D, inverseD;
+    Sym3<T> S_o, Gamma, S, Q;
+};
+
+// A ray of zeros has no information, and a D of one.
+template <int FEATURES, class T>
+GMLPNP_INLINE Seen<T> see(const PassState<T>& at, const Block<T>& block, const Vec3<T>& p, const Vec3<T>& m,
+                          const Sym3<T>& knownObject, const Sym3<T>& knownRay)
+{
+    Seen<T> seen;
+    seen.X = transformed(at.R, at.t, p);
+    seen.m = m;
+    seen.s = dot(m, seen.X);
+    seen.s2 = seen.s * seen.s;
+    seen.S_o = at.S_o;
+    seen.Gamma = at.Gamma;
     if constexpr ((FEATURES & KNOWN) != 0) {
-        S_o += rotated(at.R, knownObject);
-        Gamma += knownRay;
+        seen.S_o += rotated(at.R, knownObject);
+        seen.Gamma += knownRay;
     }
-    Sym3<T> S = S_o, adjS = at.adjS;
+    const Sym3<T> M = outer(m);
+    seen.S = seen.S_o;
+    Sym3<T> adjS = at.adjS;
     if constexpr ((FEATURES & DEPTH_MATTERS) != 0) {
-        S += s2 * Gamma;
-        adjS = adjugate(S);
+        seen.S += seen.s2 * seen.Gamma;
+        adjS = adjugate(seen.S);
     }
-    const T D = block.choose(trace(M, adjS), Lanes<T>::spread(1)), inverseD = 1. / D;
-    const Sym3<T> Q = inverseD * sandwich(M, S);
+    seen.D = block.choose(trace(M, adjS), Lanes<T>::spread(1));
+    seen.inverseD = 1. / seen.D;
+    seen.Q = seen.inverseD * sandwich(M, seen.S);
+    return seen;
+}
+
+template <class T, int FEATURES>
+GMLPNP_INLINE Seen<T> seeBlock(const PointArrays& data, const PassState<T>& at, const Block<T>& block)
+{
+    const int i = block.first;
+    Sym3<T> knownObject{}, knownRay{};
+    if constexpr ((FEATURES & KNOWN) != 0) {
+        knownObject = load6<T>(data.known, i);
+        knownRay = load6<T>(data.known + 6, i);
+    }
+    return see<FEATURES>(at, block, load3<T>(data.point, i), block.only(load3<T>(data.ray, i)), knownObject, knownRay);
+}
+
+template <int FEATURES, class T>
+GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Seen<T>& seen, Accumulator<T>& sums)
+{
+    const auto& [X, m, s, s2, D, inverseD, S_o, Gamma, S, Q] = seen;
     if constexpr ((FEATURES & PRODUCTS) != 0)
         addProducts(Q, depthWeight(at.products, s2), sums.QQ);
-    if constexpr ((FEATURES & NOTHING_ELSE) != 0)
-        return T{};
     // Not Q X: on exact data X is as many times longer than v as a double has digits.
     const Vec3<T> v = cross(m, X), Sv = S * v, z = inverseD * cross(Sv, m);
     const T c = inverseD * dot(v, Sv);
@@ -412,22 +443,16 @@ GMLPNP_INLINE void addBlock(const PointArrays& data, const PassState<T>& at, con
                             Accumulator<T>& sums)
 {
     const int i = block.first;
-    Sym3<T> knownObject{}, knownRay{};
-    if constexpr ((FEATURES & KNOWN) != 0) {
-        knownObject = load6<T>(data.known, i);
-        knownRay = load6<T>(data.known + 6, i);
-    }
-    const Vec3<T> p = load3<T>(data.point, i), m = block.only(load3<T>(data.ray, i));
-    const T squared = addPoint<FEATURES>(at, block, p, m, knownObject, knownRay, sums);
+    const T squared = addPoint<FEATURES>(at, block, seeBlock<T, FEATURES>(data, at, block), sums);
     if (c)
         store(block.choose(squared, load<T>(c + i)), c + i);
 }
 
 template <class T>
-void addProductsTo(double* out, const Accumulator<T>& sums)
+void addProductsTo(double* out, const T* QQ)
 {
     for (int a = 0; a < 21; ++a)
-        out[a] += Lanes<T>::sum(sums.QQ[a]);
+        out[a] += Lanes<T>::sum(QQ[a]);
 }
 
 template <class T, int FEATURES>
@@ -453,7 +478,7 @@ void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
     out.c += Lanes<T>::sum(sums.c);
     out.c2 += Lanes<T>::sum(sums.c2);
     if constexpr ((FEATURES & PRODUCTS) != 0)
-        addProductsTo(out.QQ, sums);
+        addProductsTo(out.QQ, sums.QQ);
     addTo(out.D, sums.D);
     addTo(out.tailed, sums.tailed);
     out.behind += Lanes<T>::sumBits(sums.behind);
@@ -462,19 +487,22 @@ void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
 // Where the products steer the scoring only, a quarter of the points tells enough: the first SAMPLE of each STRETCH.
 constexpr int STRETCH = 16, SAMPLE = 4;
 
-template <class T, int NOISE>
+template <class T, int NOISE, Products PRODUCTS_OF>
 void addSampledProducts(const PointArrays& data, const PassInput& in, PassSums& out)
 {
     const PassState<T> at(in);
     Accumulator<T> sums;
-    constexpr int FEATURES = NOISE | PRODUCTS | NOTHING_ELSE;
+    const auto add = [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const Seen<T> seen = seeBlock<T, NOISE>(data, at, block);
+        addProducts(seen.Q, depthWeight(PRODUCTS_OF, seen.s2), sums.QQ);
+    };
     int first = 0;
     for (; first + SAMPLE <= data.size; first += STRETCH)
         for (int i = first; i < first + SAMPLE; i += Lanes<T>::COUNT)
-            addBlock<T, FEATURES>(data, at, Block<T>(i), nullptr, sums);
+            add(Block<T>(i));
     for (int i = first; i < data.size; i += Lanes<T>::COUNT)
-        addBlock<T, FEATURES>(data, at, Block<T>(i, data.size), nullptr, sums);
-    addProductsTo(out.QQ, sums);
+        add(Block<T>(i, data.size));
+    addProductsTo(out.QQ, sums.QQ);
 }
 
 template <class T, int NOISE>
@@ -486,24 +514,67 @@ void passWith(const PointArrays& data, const PassInput& in, PassSums& out)
     else
         all ? addAll<T, NOISE | PRODUCTS>(data, in, out) : addAll<T, NOISE>(data, in, out);
     if (in.products && in.sampled)
-        addSampledProducts<T, NOISE>(data, in, out);
+        in.products == OF_OBJECT ? addSampledProducts<T, NOISE, OF_OBJECT>(data, in, out)
+                                 : addSampledProducts<T, NOISE, OF_BEARING>(data, in, out);
+}
+
+// KNOWN, BEARING_NOISE or neither.
+inline int noiseFeatures(const PointArrays& data, const PassInput& in)
+{
+    bool bearing = false;
+    for (double entry : in.Gamma)
+        bearing = bearing || entry != 0;
+    return data.known[0] ? KNOWN : bearing ? BEARING_NOISE : 0;
 }
 
 template <class T>
 void pass(const PointArrays& data, const PassInput& in, PassSums& out)
 {
-    bool bearing = false;
-    for (double entry : in.Gamma)
-        bearing = bearing || entry != 0;
     out = PassSums();
     const int rest = data.size % STRETCH;
     out.inProducts = in.sampled ? data.size / STRETCH * SAMPLE + (rest < SAMPLE ? rest : SAMPLE) : data.size;
-    if (data.known[0])
+    const int noise = noiseFeatures(data, in);
+    if (noise == KNOWN)
         passWith<T, KNOWN>(data, in, out);
-    else if (bearing)
+    else if (noise == BEARING_NOISE)
         passWith<T, BEARING_NOISE>(data, in, out);
     else
         passWith<T, 0>(data, in, out);
+}
+
+template <class T, int NOISE>
+void informationWith(const PointArrays& data, const PassInput& in, InformationSums& out)
+{
+    const PassState<T> at(in);
+    T object[21]{}, bearing[21]{}, both[21]{};
+    forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const Seen<T> seen = seeBlock<T, NOISE>(data, at, block);
+        const Sym3<T>&Q = seen.Q, s2Q = seen.s2 * Q;
+        const T q[6] = {Q.xx, Q.xy, Q.xz, Q.yy, Q.yz, Q.zz};
+        const T s2q[6] = {s2Q.xx, s2Q.xy, s2Q.xz, s2Q.yy, s2Q.yz, s2Q.zz};
+        for (int a = 0, k = 0; a < 6; ++a)
+            for (int b = a; b < 6; ++b, ++k) {
+                object[k] += q[a] * q[b];
+                bearing[k] += s2q[a] * s2q[b];
+                both[k] += q[a] * s2q[b];
+            }
+    });
+    out = InformationSums();
+    addProductsTo(out.object, object);
+    addProductsTo(out.bearing, bearing);
+    addProductsTo(out.both, both);
+}
+
+template <class T>
+void information(const PointArrays& data, const PassInput& in, InformationSums& out)
+{
+    const int noise = noiseFeatures(data, in);
+    if (noise == KNOWN)
+        informationWith<T, KNOWN>(data, in, out);
+    else if (noise == BEARING_NOISE)
+        informationWith<T, BEARING_NOISE>(data, in, out);
+    else
+        informationWith<T, 0>(data, in, out);
 }
 
 template <class T>
@@ -632,7 +703,7 @@ void line(const double* x, const double* y, int size, double a, double b, LineSu
 template <class T>
 constexpr RayKernels kernelsOf(const char* name)
 {
-    return {name,      Lanes<T>::COUNT, prepare<T>,     pass<T>,      moments<T>,
+    return {name,      Lanes<T>::COUNT, prepare<T>,     pass<T>,      information<T>, moments<T>,
             behind<T>, tails<T>,        tailWeights<T>, residuals<T>, line<T>};
 }
 

@@ -131,14 +131,24 @@ void writePose(const Pose& pose, double (&out)[12])
     Eigen::Map<Vector3d>{out + 9} = pose.t;
 }
 
-RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise, const PassOptions& options,
-                const RayKernels& kernels)
+namespace {
+
+PassInput passInput(const Pose& pose, const Noise& noise)
 {
-    PassInput input;
+    PassInput input{};
     writePose(pose, input.pose);
     writeSymmetric(pose.R * noise.Sigma * pose.R.transpose(), input.S_o);
     writeSymmetric(noise.Gamma, input.Gamma);
     input.tail = noise.tail;
+    return input;
+}
+
+}  // namespace
+
+RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise, const PassOptions& options,
+                const RayKernels& kernels)
+{
+    PassInput input = passInput(pose, noise);
     input.lever = options.lever == LeverArm::CORRECTED ? 1 : 0;
     input.products = options.products;
     input.sampled = options.sampled;
@@ -146,6 +156,13 @@ RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& nois
     PassSums sums;
     kernels.pass(data.arrays(), input, sums);
     return assembled(sums, input, data.size());
+}
+
+RayProducts rayProducts(const Correspondences& data, const Pose& pose, const Noise& noise, const RayKernels& kernels)
+{
+    InformationSums sums;
+    kernels.information(data.arrays(), passInput(pose, noise), sums);
+    return {symmetric6(sums.object), symmetric6(sums.bearing), symmetric6(sums.both)};
 }
 
 }  // namespace detail

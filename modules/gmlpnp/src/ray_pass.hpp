@@ -59,11 +59,17 @@ struct RaySums
     Vector6d g;       //!< sum w J^T zTilde, gradient of the residual part of L with respect to xi, through S(R, s)
     Matrix3d Zo, Go;  //!< sum w z z^T, sum Q: for Sigma, camera frame
     Matrix3d Zb, Gb;  //!< sum w s^2 z z^T, sum s^2 Q: for Gamma
-    Matrix6d QQ;      //!< sum q q^T (or by s^4, s^2), q = Q_xx Q_xy Q_xz Q_yy Q_yz Q_zz; if asked for
+    Matrix6d QQ;      //!< sum q q^T (or by s^4), q = Q_xx Q_xy Q_xz Q_yy Q_yz Q_zz; if asked for
     double L;         //!< negative log-likelihood, nat: 1/2 sum log D + misfit
     double misfit;    //!< 1/2 sum c, or 1/2 (nu + 2) sum log(1 + c / nu)
     double c, c2;     //!< sum c, sum c^2
     int inFront;      //!< points with s >= 0
+};
+
+/** Sums of q q^T, s^4 q q^T and s^2 q q^T, as RaySums::QQ. */
+struct RayProducts
+{
+    Matrix6d object, bearing, both;
 };
 
 /** Terms of one point; the readable twin of the pass. `S_o` is R Sigma R^T; both with what is known of the point. */
@@ -90,6 +96,10 @@ inline RaySums rayPass(const Correspondences& data, const Pose& pose, const Nois
 {
     return rayPass(data, pose, noise, options, rayKernels(data.size()));
 }
+
+/** The products for both noises at once, of all points. */
+CV_EXPORTS RayProducts rayProducts(const Correspondences& data, const Pose& pose, const Noise& noise,
+                                   const RayKernels& kernels);
 
 }  // namespace detail
 }  // namespace gmlpnp
