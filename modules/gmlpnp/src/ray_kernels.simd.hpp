@@ -303,9 +303,33 @@ GMLPNP_INLINE void addProducts(const Sym3<T>& Q, T weight, T* sums)
 template <class T>
 GMLPNP_INLINE T depthWeight(Products products, T s2)
 {
-    if (products == OF_OBJECT)
-        return Lanes<T>::spread(1);
-    return s2 * s2;
+    return products == OF_OBJECT ? Lanes<T>::spread(1) : s2 * s2;
+}
+
+template <class T>
+GMLPNP_INLINE void addProducts(Products products, const Sym3<T>& Q, T s2, Accumulator<T>& sums)
+{
+    addProducts(Q, depthWeight(products, s2), sums.QQ);
+}
+
+// For both noises at once.
+template <class T>
+struct InformationAccumulator
+{
+    T object[21]{}, bearing[21]{}, both[21]{};
+};
+
+template <class T>
+GMLPNP_INLINE void addProducts(Products, const Sym3<T>& Q, T s2, InformationAccumulator<T>& sums)
+{
+    const Sym3<T> s2Q = s2 * Q;
+    const T q[6] = {Q.xx, Q.xy, Q.xz, Q.yy, Q.yz, Q.zz}, s2q[6] = {s2Q.xx, s2Q.xy, s2Q.xz, s2Q.yy, s2Q.yz, s2Q.zz};
+    for (int a = 0, k = 0; a < 6; ++a)
+        for (int b = a; b < 6; ++b, ++k) {
+            sums.object[k] += q[a] * q[b];
+            sums.bearing[k] += s2q[a] * s2q[b];
+            sums.both[k] += q[a] * s2q[b];
+        }
 }
 
 // What a loop does not need is left out of it at compile time.
@@ -315,6 +339,7 @@ enum Features
     TAILS = 2,          // Student-t
     KNOWN = 4,          // each point brings covariances of its own
     PRODUCTS = 8,       // sums of products of Q
+    NOTHING_ELSE = 16,  // than these
     DEPTH_MATTERS = BEARING_NOISE | KNOWN
 };
 
@@ -346,62 +371,11 @@ struct PassState
     const Products products;
 };
 
-// What a block of points is before it is compared with its rays.
-template <class T>
-struct Seen
-{
-    Vec3<T> X, m;
-    T s, s2, D, inverseD;
-    Sym3<T> S_o, Gamma, S, Q;
-};
-
-// A ray of zeros has no information, and a D of one.
 template <int FEATURES, class T>
-GMLPNP_INLINE Seen<T> see(const PassState<T>& at, const Block<T>& block, const Vec3<T>& p, const Vec3<T>& m,
-                          const Sym3<T>& knownObject, const Sym3<T>& knownRay)
+GMLPNP_INLINE T addResidual(const PassState<T>& at, const Block<T>& block, const Vec3<T>& X, const Vec3<T>& m, T s,
+                            T s2, T D, T inverseD, const Sym3<T>& S_o, const Sym3<T>& Gamma, const Sym3<T>& S,
+                            const Sym3<T>& Q, Accumulator<T>& sums)
 {
-    Seen<T> seen;
-    seen.X = transformed(at.R, at.t, p);
-    seen.m = m;
-    seen.s = dot(m, seen.X);
-    seen.s2 = seen.s * seen.s;
-    seen.S_o = at.S_o;
-    seen.Gamma = at.Gamma;
-    if constexpr ((FEATURES & KNOWN) != 0) {
-        seen.S_o += rotated(at.R, knownObject);
-        seen.Gamma += knownRay;
-    }
-    const Sym3<T> M = outer(m);
-    seen.S = seen.S_o;
-    Sym3<T> adjS = at.adjS;
-    if constexpr ((FEATURES & DEPTH_MATTERS) != 0) {
-        seen.S += seen.s2 * seen.Gamma;
-        adjS = adjugate(seen.S);
-    }
-    seen.D = block.choose(trace(M, adjS), Lanes<T>::spread(1));
-    seen.inverseD = 1. / seen.D;
-    seen.Q = seen.inverseD * sandwich(M, seen.S);
-    return seen;
-}
-
-template <class T, int FEATURES>
-GMLPNP_INLINE Seen<T> seeBlock(const PointArrays& data, const PassState<T>& at, const Block<T>& block)
-{
-    const int i = block.first;
-    Sym3<T> knownObject{}, knownRay{};
-    if constexpr ((FEATURES & KNOWN) != 0) {
-        knownObject = load6<T>(data.known, i);
-        knownRay = load6<T>(data.known + 6, i);
-    }
-    return see<FEATURES>(at, block, load3<T>(data.point, i), block.only(load3<T>(data.ray, i)), knownObject, knownRay);
-}
-
-template <int FEATURES, class T>
-GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Seen<T>& seen, Accumulator<T>& sums)
-{
-    const auto& [X, m, s, s2, D, inverseD, S_o, Gamma, S, Q] = seen;
-    if constexpr ((FEATURES & PRODUCTS) != 0)
-        addProducts(Q, depthWeight(at.products, s2), sums.QQ);
     // Not Q X: on exact data X is as many times longer than v as a double has digits.
     const Vec3<T> v = cross(m, X), Sv = S * v, z = inverseD * cross(Sv, m);
     const T c = inverseD * dot(v, Sv);
@@ -438,21 +412,54 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Se
     return c;
 }
 
-template <class T, int FEATURES>
+// A ray of zeros adds nothing but the D that it gets instead.
+template <int FEATURES, class T, class Sums>
+GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Vec3<T>& p, const Vec3<T>& m,
+                         const Sym3<T>& knownObject, const Sym3<T>& knownRay, Sums& sums)
+{
+    const Vec3<T> X = transformed(at.R, at.t, p);
+    const Sym3<T> M = outer(m);
+    const T s = dot(m, X), s2 = s * s;
+    Sym3<T> S_o = at.S_o, Gamma = at.Gamma;
+    if constexpr ((FEATURES & KNOWN) != 0) {
+        S_o += rotated(at.R, knownObject);
+        Gamma += knownRay;
+    }
+    Sym3<T> S = S_o, adjS = at.adjS;
+    if constexpr ((FEATURES & DEPTH_MATTERS) != 0) {
+        S += s2 * Gamma;
+        adjS = adjugate(S);
+    }
+    const T D = block.choose(trace(M, adjS), Lanes<T>::spread(1)), inverseD = 1. / D;
+    const Sym3<T> Q = inverseD * sandwich(M, S);
+    if constexpr ((FEATURES & PRODUCTS) != 0)
+        addProducts(at.products, Q, s2, sums);
+    if constexpr ((FEATURES & NOTHING_ELSE) == 0)
+        return addResidual<FEATURES>(at, block, X, m, s, s2, D, inverseD, S_o, Gamma, S, Q, sums);
+    return T{};
+}
+
+template <class T, int FEATURES, class Sums>
 GMLPNP_INLINE void addBlock(const PointArrays& data, const PassState<T>& at, const Block<T>& block, double* c,
-                            Accumulator<T>& sums)
+                            Sums& sums)
 {
     const int i = block.first;
-    const T squared = addPoint<FEATURES>(at, block, seeBlock<T, FEATURES>(data, at, block), sums);
+    Sym3<T> knownObject{}, knownRay{};
+    if constexpr ((FEATURES & KNOWN) != 0) {
+        knownObject = load6<T>(data.known, i);
+        knownRay = load6<T>(data.known + 6, i);
+    }
+    const Vec3<T> p = load3<T>(data.point, i), m = block.only(load3<T>(data.ray, i));
+    const T squared = addPoint<FEATURES>(at, block, p, m, knownObject, knownRay, sums);
     if (c)
         store(block.choose(squared, load<T>(c + i)), c + i);
 }
 
 template <class T>
-void addProductsTo(double* out, const T* QQ)
+void addProductsTo(double* out, const T* sums)
 {
     for (int a = 0; a < 21; ++a)
-        out[a] += Lanes<T>::sum(QQ[a]);
+        out[a] += Lanes<T>::sum(sums[a]);
 }
 
 template <class T, int FEATURES>
@@ -487,21 +494,18 @@ void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
 // Where the products steer the scoring only, a quarter of the points tells enough: the first SAMPLE of each STRETCH.
 constexpr int STRETCH = 16, SAMPLE = 4;
 
-template <class T, int NOISE, Products PRODUCTS_OF>
+template <class T, int NOISE>
 void addSampledProducts(const PointArrays& data, const PassInput& in, PassSums& out)
 {
     const PassState<T> at(in);
     Accumulator<T> sums;
-    const auto add = [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
-        const Seen<T> seen = seeBlock<T, NOISE>(data, at, block);
-        addProducts(seen.Q, depthWeight(PRODUCTS_OF, seen.s2), sums.QQ);
-    };
+    constexpr int FEATURES = NOISE | PRODUCTS | NOTHING_ELSE;
     int first = 0;
     for (; first + SAMPLE <= data.size; first += STRETCH)
         for (int i = first; i < first + SAMPLE; i += Lanes<T>::COUNT)
-            add(Block<T>(i));
+            addBlock<T, FEATURES>(data, at, Block<T>(i), nullptr, sums);
     for (int i = first; i < data.size; i += Lanes<T>::COUNT)
-        add(Block<T>(i, data.size));
+        addBlock<T, FEATURES>(data, at, Block<T>(i, data.size), nullptr, sums);
     addProductsTo(out.QQ, sums.QQ);
 }
 
@@ -514,8 +518,7 @@ void passWith(const PointArrays& data, const PassInput& in, PassSums& out)
     else
         all ? addAll<T, NOISE | PRODUCTS>(data, in, out) : addAll<T, NOISE>(data, in, out);
     if (in.products && in.sampled)
-        in.products == OF_OBJECT ? addSampledProducts<T, NOISE, OF_OBJECT>(data, in, out)
-                                 : addSampledProducts<T, NOISE, OF_BEARING>(data, in, out);
+        addSampledProducts<T, NOISE>(data, in, out);
 }
 
 // KNOWN, BEARING_NOISE or neither.
@@ -546,23 +549,14 @@ template <class T, int NOISE>
 void informationWith(const PointArrays& data, const PassInput& in, InformationSums& out)
 {
     const PassState<T> at(in);
-    T object[21]{}, bearing[21]{}, both[21]{};
+    InformationAccumulator<T> sums;
     forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
-        const Seen<T> seen = seeBlock<T, NOISE>(data, at, block);
-        const Sym3<T>&Q = seen.Q, s2Q = seen.s2 * Q;
-        const T q[6] = {Q.xx, Q.xy, Q.xz, Q.yy, Q.yz, Q.zz};
-        const T s2q[6] = {s2Q.xx, s2Q.xy, s2Q.xz, s2Q.yy, s2Q.yz, s2Q.zz};
-        for (int a = 0, k = 0; a < 6; ++a)
-            for (int b = a; b < 6; ++b, ++k) {
-                object[k] += q[a] * q[b];
-                bearing[k] += s2q[a] * s2q[b];
-                both[k] += q[a] * s2q[b];
-            }
+        addBlock<T, NOISE | PRODUCTS | NOTHING_ELSE>(data, at, block, nullptr, sums);
     });
     out = InformationSums();
-    addProductsTo(out.object, object);
-    addProductsTo(out.bearing, bearing);
-    addProductsTo(out.both, both);
+    addProductsTo(out.object, sums.object);
+    addProductsTo(out.bearing, sums.bearing);
+    addProductsTo(out.both, sums.both);
 }
 
 template <class T>
