@@ -107,8 +107,7 @@ Matrix3d entryDeviations(const Matrix6d& covariance, const Matrix3d& R)
     Matrix6d rotation;
     for (int k = 0; k < 6; ++k) {
         const Vector6d unit = Vector6d::Unit(k);
-        const Matrix3d turned = R.transpose() * symmetric(unit.data()) * R;
-        rotation.col(k) << turned(0, 0), turned(0, 1), turned(0, 2), turned(1, 1), turned(1, 2), turned(2, 2);
+        rotation.col(k) = entriesOf(R.transpose() * symmetric(unit.data()) * R);
     }
     const Vector6d deviations = (rotation * covariance * rotation.transpose()).diagonal().cwiseMax(0).cwiseSqrt();
     return symmetric(deviations.data());

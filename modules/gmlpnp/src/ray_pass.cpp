@@ -87,8 +87,7 @@ namespace {
 
 void writeSymmetric(const Matrix3d& S, double (&out)[6])
 {
-    const double entries[6] = {S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)};
-    std::copy_n(entries, 6, out);
+    Eigen::Map<Vector6d>{out} = entriesOf(S);
 }
 
 Matrix6d symmetric6(const double (&entries)[21])
