@@ -521,13 +521,25 @@ void passWith(const PointArrays& data, const PassInput& in, PassSums& out)
         addSampledProducts<T, NOISE>(data, in, out);
 }
 
-// KNOWN, BEARING_NOISE or neither.
-inline int noiseFeatures(const PointArrays& data, const PassInput& in)
+template <int FEATURES>
+struct Constant
+{
+    static constexpr int value = FEATURES;
+};
+
+// Calls the body with the Constant of KNOWN, of BEARING_NOISE or of neither.
+template <class Body>
+void forNoise(const PointArrays& data, const PassInput& in, const Body& body)
 {
     bool bearing = false;
     for (double entry : in.Gamma)
         bearing = bearing || entry != 0;
-    return data.known[0] ? KNOWN : bearing ? BEARING_NOISE : 0;
+    if (data.known[0])
+        body(Constant<KNOWN>());
+    else if (bearing)
+        body(Constant<BEARING_NOISE>());
+    else
+        body(Constant<0>());
 }
 
 template <class T>
@@ -536,13 +548,7 @@ void pass(const PointArrays& data, const PassInput& in, PassSums& out)
     out = PassSums();
     const int rest = data.size % STRETCH;
     out.inProducts = in.sampled ? data.size / STRETCH * SAMPLE + (rest < SAMPLE ? rest : SAMPLE) : data.size;
-    const int noise = noiseFeatures(data, in);
-    if (noise == KNOWN)
-        passWith<T, KNOWN>(data, in, out);
-    else if (noise == BEARING_NOISE)
-        passWith<T, BEARING_NOISE>(data, in, out);
-    else
-        passWith<T, 0>(data, in, out);
+    forNoise(data, in, [&](auto noise) { passWith<T, decltype(noise)::value>(data, in, out); });
 }
 
 template <class T, int NOISE>
@@ -562,13 +568,7 @@ void informationWith(const PointArrays& data, const PassInput& in, InformationSu
 template <class T>
 void information(const PointArrays& data, const PassInput& in, InformationSums& out)
 {
-    const int noise = noiseFeatures(data, in);
-    if (noise == KNOWN)
-        informationWith<T, KNOWN>(data, in, out);
-    else if (noise == BEARING_NOISE)
-        informationWith<T, BEARING_NOISE>(data, in, out);
-    else
-        informationWith<T, 0>(data, in, out);
+    forNoise(data, in, [&](auto noise) { informationWith<T, decltype(noise)::value>(data, in, out); });
 }
 
 template <class T>
