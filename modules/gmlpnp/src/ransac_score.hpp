@@ -6,6 +6,7 @@
 #define OPENCV_GMLPNP_RANSAC_SCORE_HPP
 
 #include "ransac.hpp"
+#include "ray_pass.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -18,13 +19,16 @@ struct Score
     int inliers;  //!< points with |e| <= 1
 };
 
-/** The points in random order, in blocks of lanes, normalised as in Correspondences; poses too. */
+/** The points in random order as columns, normalised as in Correspondences; poses too. */
 class CV_EXPORTS ScoredPoints
 {
 public:
-    ScoredPoints(const Correspondences& data, const std::vector<Metric>& metrics, RNG& rng);
+    ScoredPoints(const Correspondences& data, const std::vector<Metric>& metrics, RNG& rng, const RayKernels& kernels);
+    ScoredPoints(const Correspondences& data, const std::vector<Metric>& metrics, RNG& rng)
+        : ScoredPoints(data, metrics, rng, rayKernels(data.size()))
+    {}
 
-    int size() const { return n_; }
+    int size() const { return static_cast<int>(columns_.rows()); }
 
     Score score(const Pose& pose) const;
 
@@ -42,26 +46,12 @@ public:
     static constexpr int SCREENED = 512;  // of one inlier in ten there are fifty among them
 
 private:
-    static constexpr int LANES = 8;  // doubles at a time; sums do not depend on the size of registers
-    using Lane = Eigen::Array<double, LANES, 1>;
-    struct Block
-    {
-        Lane p[3], m[3], B[2][3];
-    };
+    ScoredArrays arrays() const;
+    Score sumUntil(const Pose& pose, int count, double best) const;
 
-    // X = R p + t, s = m . X, and e over s, zero where s is not positive.
-    struct Residuals
-    {
-        Lane X[3], s, e[2];
-    };
-
-    static Residuals residuals(const Block& block, const Pose& pose);
-    static Lane costs(const Block& block, const Pose& pose);
-    Score sumUntil(const Pose& pose, size_t blocks, double best) const;
-
-    int n_;
-    std::vector<int> order_;  // of the lanes: rows of the caller
-    std::vector<Block, Eigen::aligned_allocator<Block>> blocks_;
+    const RayKernels& kernels_;
+    std::vector<int> order_;                             // of the rows: those of the caller
+    Eigen::Matrix<double, Eigen::Dynamic, 12> columns_;  // point, ray, both rows of the metric
 };
 
 }  // namespace detail

@@ -97,6 +97,27 @@ struct TailWeights
     double w{}, wc{};
 };
 
+/** What RANSAC scores, in its own order: points, unit rays, and the two rows of each point's Metric. */
+struct ScoredArrays
+{
+    const double* point[3];
+    const double* ray[3];
+    const double* metric[6];
+    int size;
+};
+
+/** sum min(|e|^2, 1) and the number of points where it is less than 1. */
+struct TruncatedSums
+{
+    double cost{}, inliers{};
+};
+
+/** H = sum w J^T J and g = sum w J^T e of a robust step; of H the upper triangle by rows. */
+struct StepSums
+{
+    double H[21]{}, g[6]{};
+};
+
 /** One instruction set; its loops take `lanes` points or more. */
 struct RayKernels
 {
@@ -116,6 +137,12 @@ struct RayKernels
     /** s^2 and 1/2 |m x X|^2 of each point at a pose. */
     void (*residuals)(const PointArrays& data, const double* pose, double* depth2, double* residual2);
     void (*line)(const double* x, const double* y, int size, double a, double b, LineSums& sums);
+    /** Over the points from `first` to `last`. */
+    void (*truncated)(const ScoredArrays& data, const double* pose, int first, int last, TruncatedSums& sums);
+    /** Whether each point is an inlier. */
+    void (*inliers)(const ScoredArrays& data, const double* pose, double* isInlier);
+    /** Over the first `count` points, with the weights of Tukey: zero from |e| = `width` on. */
+    void (*robustStep)(const ScoredArrays& data, const double* pose, double width, int count, StepSums& sums);
 };
 
 extern const RayKernels RAY_KERNELS_SCALAR, RAY_KERNELS_VECTOR, RAY_KERNELS_AVX2, RAY_KERNELS_AVX512;

@@ -61,13 +61,6 @@ GMLPNP_INLINE Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// R p + t
-template <class T>
-GMLPNP_INLINE Vec3<T> transformed(const Vec3<T> (&R)[3], const Vec3<T>& t, const Vec3<T>& p)
-{
-    return {dot(R[0], p) + t.x, dot(R[1], p) + t.y, dot(R[2], p) + t.z};
-}
-
 template <class T>
 GMLPNP_INLINE Vec3<T> operator*(T k, const Vec3<T>& v)
 {
@@ -172,13 +165,19 @@ struct Block
 
 // The full blocks in a loop of their own, where the masks are constants.
 template <class T, class Body>
+GMLPNP_INLINE void forBlocks(int first, int last, const Body& body)
+{
+    int i = first;
+    for (; i + Lanes<T>::COUNT <= last; i += Lanes<T>::COUNT)
+        body(Block<T>(i));
+    if (i < last)
+        body(Block<T>(i, last));
+}
+
+template <class T, class Body>
 GMLPNP_INLINE void forBlocks(int size, const Body& body)
 {
-    int i = 0;
-    for (; i + Lanes<T>::COUNT <= size; i += Lanes<T>::COUNT)
-        body(Block<T>(i));
-    if (i < size)
-        body(Block<T>(i, size));
+    forBlocks<T>(0, size, body);
 }
 
 template <class T>
@@ -225,6 +224,23 @@ GMLPNP_INLINE Sym3<T> spread6(const double* S)
 {
     return {Lanes<T>::spread(S[0]), Lanes<T>::spread(S[1]), Lanes<T>::spread(S[2]),
             Lanes<T>::spread(S[3]), Lanes<T>::spread(S[4]), Lanes<T>::spread(S[5])};
+}
+
+template <class T>
+struct SpreadPose
+{
+    explicit GMLPNP_INLINE SpreadPose(const double* pose)
+        : R{spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t(spread3<T>(pose + 9))
+    {}
+
+    const Vec3<T> R[3], t;
+};
+
+// R p + t
+template <class T>
+GMLPNP_INLINE Vec3<T> operator*(const SpreadPose<T>& at, const Vec3<T>& p)
+{
+    return {dot(at.R[0], p) + at.t.x, dot(at.R[1], p) + at.t.y, dot(at.R[2], p) + at.t.z};
 }
 
 template <class T>
@@ -288,15 +304,21 @@ GMLPNP_INLINE void addInformation(const Vec3<T>& X, const Sym3<T>& Q, Accumulato
                         X.z * B1.x - X.x * B1.z, X.x * B1.y - X.y * B1.x, X.x * B2.y - X.y * B2.x};
 }
 
+// The upper triangle of weight v v^T.
+template <class T>
+GMLPNP_INLINE void addOuter(const T (&v)[6], T weight, T* sums)
+{
+    for (int a = 0, k = 0; a < 6; ++a) {
+        const T weighted = weight * v[a];
+        for (int b = a; b < 6; ++b, ++k)
+            sums[k] += weighted * v[b];
+    }
+}
+
 template <class T>
 GMLPNP_INLINE void addProducts(const Sym3<T>& Q, T weight, T* sums)
 {
-    const T q[6] = {Q.xx, Q.xy, Q.xz, Q.yy, Q.yz, Q.zz};
-    for (int a = 0, k = 0; a < 6; ++a) {
-        const T weighted = weight * q[a];
-        for (int b = a; b < 6; ++b, ++k)
-            sums[k] += weighted * q[b];
-    }
+    addOuter({Q.xx, Q.xy, Q.xz, Q.yy, Q.yz, Q.zz}, weight, sums);
 }
 
 // What the products are weighed by.
@@ -352,11 +374,10 @@ GMLPNP_INLINE Sym3<T> rotated(const Vec3<T> (&R)[3], const Sym3<T>& C)
 }
 
 template <class T>
-struct PassState
+struct PassState : SpreadPose<T>
 {
     explicit GMLPNP_INLINE PassState(const PassInput& in)
-        : R{spread3<T>(in.pose), spread3<T>(in.pose + 3), spread3<T>(in.pose + 6)},
-          t(spread3<T>(in.pose + 9)),
+        : SpreadPose<T>(in.pose),
           S_o(spread6<T>(in.S_o)),
           Gamma(spread6<T>(in.Gamma)),
           adjS(adjugate(S_o)),
@@ -365,7 +386,6 @@ struct PassState
           products(in.products)
     {}
 
-    const Vec3<T> R[3], t;
     const Sym3<T> S_o, Gamma, adjS;
     const T tail, lever;
     const Products products;
@@ -417,7 +437,7 @@ template <int FEATURES, class T, class Sums>
 GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Vec3<T>& p, const Vec3<T>& m,
                          const Sym3<T>& knownObject, const Sym3<T>& knownRay, Sums& sums)
 {
-    const Vec3<T> X = transformed(at.R, at.t, p);
+    const Vec3<T> X = at * p;
     const Sym3<T> M = outer(m);
     const T s = dot(m, X), s2 = s * s;
     Sym3<T> S_o = at.S_o, Gamma = at.Gamma;
@@ -624,10 +644,10 @@ void moments(const PointArrays& data, MomentSums& out)
 template <class T>
 int behind(const PointArrays& data, const double* pose)
 {
-    const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);
+    const SpreadPose<T> at(pose);
     typename Lanes<T>::Bits sum{};
     forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
-        const T s = dot(load3<T>(data.ray, block.first), transformed(R, t, load3<T>(data.point, block.first)));
+        const T s = dot(load3<T>(data.ray, block.first), at * load3<T>(data.point, block.first));
         sum += (Lanes<T>::bits(s) & block.counts) >> 63;
     });
     return static_cast<int>(Lanes<T>::sumBits(sum));
@@ -663,11 +683,11 @@ void tailWeights(const double* c, int size, const double* tail, int count, TailW
 template <class T>
 void residuals(const PointArrays& data, const double* pose, double* depth2, double* residual2)
 {
-    const Vec3<T> R[3] = {spread3<T>(pose), spread3<T>(pose + 3), spread3<T>(pose + 6)}, t = spread3<T>(pose + 9);
+    const SpreadPose<T> at(pose);
     forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
         const int first = block.first;
         const Vec3<T> p = load3<T>(data.point, first), m = load3<T>(data.ray, first);
-        const Vec3<T> X = transformed(R, t, p), v = cross(m, X);
+        const Vec3<T> X = at * p, v = cross(m, X);
         const T s = dot(m, X);
         store(s * s, depth2 + first);
         store(0.5 * dot(v, v) / dot(m, m), residual2 + first);
@@ -694,11 +714,86 @@ void line(const double* x, const double* y, int size, double a, double b, LineSu
     addTo(out.variance, variances);
 }
 
+// A point of RANSAC at a pose (Metric says what e is); e is zero where it is not in front.
+template <class T>
+struct ScoredPoint
+{
+    GMLPNP_INLINE ScoredPoint(const ScoredArrays& data, const SpreadPose<T>& at, int i)
+        : m(load3<T>(data.ray, i)),
+          B{load3<T>(data.metric, i), load3<T>(data.metric + 3, i)},
+          X(at * load3<T>(data.point, i)),
+          s(dot(m, X)),
+          inverse(s > 0. ? 1. / s : T{}),
+          e{dot(B[0], X) * inverse, dot(B[1], X) * inverse},
+          e2(e[0] * e[0] + e[1] * e[1])
+    {}
+
+    GMLPNP_INLINE T truncated() const
+    {
+        const T one = Lanes<T>::spread(1), cost = s > 0. ? e2 : one;
+        return cost < 1. ? cost : one;
+    }
+
+    const Vec3<T> m, B[2], X;
+    const T s, inverse, e[2], e2;
+};
+
+template <class T>
+void truncated(const ScoredArrays& data, const double* pose, int first, int last, TruncatedSums& out)
+{
+    const SpreadPose<T> at(pose);
+    T sum{}, inliers{};
+    forBlocks<T>(first, last, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const T cost = ScoredPoint<T>(data, at, block.first).truncated();
+        sum += block.only(cost);
+        inliers += block.only(cost < 1. ? Lanes<T>::spread(1) : T{});
+    });
+    out.cost = Lanes<T>::sum(sum);
+    out.inliers = Lanes<T>::sum(inliers);
+}
+
+template <class T>
+void inliers(const ScoredArrays& data, const double* pose, double* isInlier)
+{
+    const SpreadPose<T> at(pose);
+    forBlocks<T>(data.size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const T cost = ScoredPoint<T>(data, at, block.first).truncated();
+        store(cost < 1. ? Lanes<T>::spread(1) : T{}, isInlier + block.first);
+    });
+}
+
+template <class T>
+void robustStep(const ScoredArrays& data, const double* pose, double width, int count, StepSums& out)
+{
+    const SpreadPose<T> at(pose);
+    const double inverseWidth2 = 1 / (width * width);
+    T H[21]{}, g[6]{};
+    forBlocks<T>(count, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const ScoredPoint<T> point(data, at, block.first);
+        const T left = 1. - inverseWidth2 * point.e2, near = left > 0. ? left * left : T{};
+        const T w = block.only(point.s > 0. ? near : T{});
+        for (int row = 0; row < 2; ++row) {
+            const T e = point.e[row];
+            const Vec3<T>&B = point.B[row], &m = point.m;
+            const Vec3<T> byX = point.inverse * Vec3<T>{B.x - e * m.x, B.y - e * m.y, B.z - e * m.z};
+            const Vec3<T> byPhi = cross(point.X, byX);
+            const T J[6] = {byPhi.x, byPhi.y, byPhi.z, byX.x, byX.y, byX.z}, we = w * e;
+            addOuter(J, w, H);
+            for (int i = 0; i < 6; ++i)
+                g[i] += we * J[i];
+        }
+    });
+    for (int k = 0; k < 21; ++k)
+        out.H[k] = Lanes<T>::sum(H[k]);
+    for (int i = 0; i < 6; ++i)
+        out.g[i] = Lanes<T>::sum(g[i]);
+}
+
 template <class T>
 constexpr RayKernels kernelsOf(const char* name)
 {
-    return {name,      Lanes<T>::COUNT, prepare<T>,     pass<T>,      information<T>, moments<T>,
-            behind<T>, tails<T>,        tailWeights<T>, residuals<T>, line<T>};
+    return {name,     Lanes<T>::COUNT, prepare<T>,   pass<T>, information<T>, moments<T>, behind<T>,
+            tails<T>, tailWeights<T>,  residuals<T>, line<T>, truncated<T>,   inliers<T>, robustStep<T>};
 }
 
 }  // namespace

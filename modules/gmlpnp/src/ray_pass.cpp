@@ -90,15 +90,6 @@ void writeSymmetric(const Matrix3d& S, double (&out)[6])
     Eigen::Map<Vector6d>{out} = entriesOf(S);
 }
 
-Matrix6d symmetric6(const double (&entries)[21])
-{
-    Matrix6d S;
-    for (int a = 0, k = 0; a < 6; ++a)
-        for (int b = a; b < 6; ++b, ++k)
-            S(a, b) = S(b, a) = entries[k];
-    return S;
-}
-
 RaySums assembled(const PassSums& sums, const PassInput& input, int n)
 {
     RaySums out;
@@ -123,6 +114,15 @@ RaySums assembled(const PassSums& sums, const PassInput& input, int n)
 }
 
 }  // namespace
+
+Matrix6d symmetric6(const double (&entries)[21])
+{
+    Matrix6d S;
+    for (int a = 0, k = 0; a < 6; ++a)
+        for (int b = a; b < 6; ++b, ++k)
+            S(a, b) = S(b, a) = entries[k];
+    return S;
+}
 
 void writePose(const Pose& pose, double (&out)[12])
 {

@@ -85,6 +85,9 @@ CV_EXPORTS const RayKernels& rayKernels(int points);
 /** R by rows, t: as the kernels take a pose. */
 void writePose(const Pose& pose, double (&out)[12]);
 
+/** From its upper triangle by rows, as the kernels return it. */
+Matrix6d symmetric6(const double (&entries)[21]);
+
 /** Logarithm of what a kernel multiplied up. */
 CV_EXPORTS double logarithm(const ScaledProduct& product);
 

@@ -124,18 +124,58 @@ struct Problem
         return scene.objectPoints;
     }
 
-    // By hand, as the definition says it.
+    // By hand, as the definitions say it; behind the camera there is no residual.
+    std::optional<Eigen::Vector2d> residual(const Pose& pose, int i) const
+    {
+        const Vector3d X = pose * data.pointAt(i);
+        const double s = data.rayAt(i).dot(X);
+        if (s > 0)
+            return Eigen::Vector2d(metrics[i] * X / s);
+        return std::nullopt;
+    }
+
     Score score(const Pose& pose) const
     {
         Score sum{0, 0};
         for (int i = 0; i < data.size(); ++i) {
-            const Vector3d X = pose * data.pointAt(i);
-            const double s = data.rayAt(i).dot(X), e2 = (metrics[i] * X).squaredNorm() / (s * s);
-            const bool inlier = s > 0 && e2 < 1;
-            sum.cost += inlier ? e2 : 1;
+            const auto e = residual(pose, i);
+            const bool inlier = e && e->squaredNorm() < 1;
+            sum.cost += inlier ? e->squaredNorm() : 1;
             sum.inliers += inlier;
         }
         return sum;
+    }
+
+    std::vector<bool> inliers(const Pose& pose) const
+    {
+        std::vector<bool> found(data.size());
+        for (int i = 0; i < data.size(); ++i) {
+            const auto e = residual(pose, i);
+            found[i] = e && e->squaredNorm() < 1;
+        }
+        return found;
+    }
+
+    // Derivatives by differences.
+    Pose stepped(const Pose& pose, double width) const
+    {
+        Matrix6d H = Matrix6d::Zero();
+        Vector6d g = Vector6d::Zero();
+        for (int i = 0; i < data.size(); ++i) {
+            const auto e = residual(pose, i);
+            if (!e || e->norm() >= width)
+                continue;
+            Eigen::Matrix<double, 2, 6> J;
+            for (int k = 0; k < 6; ++k) {
+                constexpr double STEP = 1e-6;
+                const Vector6d along = STEP * Vector6d::Unit(k);
+                J.col(k) = (*residual(perturbed(pose, along), i) - *residual(perturbed(pose, -along), i)) / (2 * STEP);
+            }
+            const double left = 1 - e->squaredNorm() / (width * width);
+            H += left * left * J.transpose() * J;
+            g += left * left * J.transpose() * *e;
+        }
+        return perturbed(pose, -H.ldlt().solve(g));
     }
 
     Scene scene;
@@ -150,21 +190,49 @@ Pose near(cv::RNG& rng, const Pose& pose, double size)
     return perturbed(pose, xi);
 }
 
+// All that so many points fill the lanes of.
+std::vector<const RayKernels*> kernelsFor(int n)
+{
+    std::vector<const RayKernels*> out;
+    for (const RayKernels* kernels : availableKernels())
+        if (kernels->lanes <= n)
+            out.push_back(kernels);
+    return out;
+}
+
 TEST(Gmlpnp_Ransac, scoreIsItsDefinition)
 {
     cv::RNG rng = testRng();
     for (const int n : {4, 7, 8, 9, 63, 64, 65, 500}) {
         const Problem problem(rng, n, 0.3);
-        const ScoredPoints points(problem.data, problem.metrics, rng);
-        for (const double size : {1e-3, 1e-2, 1.}) {
-            const Pose pose = near(rng, problem.data.fromObject(problem.scene.truth), size);
-            const Score expected = problem.score(pose), found = points.score(pose);
-            EXPECT_NEAR(expected.cost, found.cost, 1e-9 * n) << n << " points";
-            EXPECT_EQ(expected.inliers, found.inliers) << n << " points";
-            const std::vector<bool> inliers = points.inliers(pose);
-            EXPECT_EQ(expected.inliers, std::count(inliers.begin(), inliers.end(), true));
+        for (const RayKernels* kernels : kernelsFor(n)) {
+            SCOPED_TRACE(testing::Message() << kernels->name << ", " << n << " points");
+            const ScoredPoints points(problem.data, problem.metrics, rng, *kernels);
+            for (const double size : {1e-3, 1e-2, 1.}) {
+                const Pose pose = near(rng, problem.data.fromObject(problem.scene.truth), size);
+                const Score expected = problem.score(pose), found = points.score(pose);
+                EXPECT_NEAR(expected.cost, found.cost, 1e-9 * n);
+                EXPECT_EQ(expected.inliers, found.inliers);
+                EXPECT_EQ(problem.inliers(pose), points.inliers(pose));
+            }
         }
     }
+}
+
+TEST(Gmlpnp_Ransac, robustStepIsItsDefinition)
+{
+    cv::RNG rng = testRng();
+    for (const int n : {6, 7, 8, 9, 10, 65, 500})
+        for (const double width : {1.5, 3.}) {
+            const Problem problem(rng, n, 0.3);
+            const Pose pose = near(rng, problem.data.fromObject(problem.scene.truth), 3e-3);
+            const Pose expected = problem.stepped(pose, width);
+            for (const RayKernels* kernels : kernelsFor(n)) {
+                Pose found = pose;
+                ASSERT_TRUE(ScoredPoints(problem.data, problem.metrics, rng, *kernels).step(found, width, n));
+                EXPECT_TRUE(poseNear(found, expected, 1e-6, 1e-6)) << kernels->name << ", " << n << " points";
+            }
+        }
 }
 
 TEST(Gmlpnp_Ransac, givingUpEarlySparesTheBetter)
