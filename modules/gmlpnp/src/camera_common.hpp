@@ -14,6 +14,11 @@ namespace detail {
 // What the lenses share: the camera matrix, the parameters' checks, the way from a vector to a unit ray and its
 // derivative, and two small tools of one variable.
 
+inline bool isFinite(const Point2d& p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
 /** The affine end of every lens: u = fx x + skew y + cx, v = fy y + cy. */
 class Intrinsics
 {
@@ -22,7 +27,15 @@ public:
         : fx(fx_), fy(fy_), skew(skew_), cx(cx_), cy(cy_), wx(1 / fx_), wy(1 / fy_)
     {}
 
-    Point2d pixelOf(const Point2d& p) const { return {fx * p.x + skew * p.y + cx, fy * p.y + cy}; }
+    // False, and nothing written, where the pixel is beyond the range of a double.
+    bool pixelOf(const Point2d& p, Point2d& pixel) const
+    {
+        const Point2d found(fx * p.x + skew * p.y + cx, fy * p.y + cy);
+        if (!isFinite(found))
+            return false;
+        pixel = found;
+        return true;
+    }
 
     Point2d planeOf(const Point2d& pixel) const
     {
@@ -60,11 +73,6 @@ std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<
 
 /** StsBadArg, naming the parameter, unless low <= value <= high (no NaN). */
 void requireRange(double value, double low, double high, const char* name);
-
-inline bool isFinite(const Point2d& p)
-{
-    return std::isfinite(p.x) && std::isfinite(p.y);
-}
 
 /** Unit vector along v, of any length short of overflow; false for zero and for what is not finite. */
 inline bool unitVector(const Vec3d& v, Vec3d& unit)

@@ -57,10 +57,9 @@ public:
             return false;
         const double rho = divisor(m);
         const Point2d p(m[0] / rho, m[1] / rho);
-        if (!(m[2] > -w * distance(m) && rho > 0 && isFinite(p)))
+        if (!(m[2] > -w * distance(m) && rho > 0))
             return false;
-        pixel = k.pixelOf(p);
-        return true;
+        return k.pixelOf(p, pixel);
     }
 
     void angularScales(const Vec3d* rays, int count, double* scales) const override

@@ -70,8 +70,7 @@ public:
             return false;
         double slope;
         const double scale = sine > 0 ? radiusOf(theta, slope) / sine : 1;
-        pixel = k.pixelOf({scale * m[0], scale * m[1]});
-        return true;
+        return k.pixelOf({scale * m[0], scale * m[1]}, pixel);
     }
 
     void angularScales(const Vec3d* rays, int count, double* scales) const override

@@ -174,6 +174,56 @@ String modelOf(const FileNode& map, const String& callers)
     return callers.empty() ? "pinhole" : callers;
 }
 
+// A line of a text file, its blanks in front counted.
+struct Line
+{
+    size_t begin, content, end;
+
+    bool isEmpty(const String& text) const { return content == end || text[content] == '\r' || text[content] == '#'; }
+    bool startsWith(const String& text, const char* word) const { return text.compare(content, 3, word) == 0; }
+    size_t indentation() const { return content - begin; }
+};
+
+Line lineAt(const String& text, size_t begin)
+{
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    return {begin, std::min(text.find_first_not_of(' ', begin), end), end};
+}
+
+// Where the first document starts: below comments and directives, behind the mark.
+Line firstContent(const String& text)
+{
+    const auto below = [&text](Line line) {
+        while (line.end < text.size() && (line.isEmpty(text) || text[line.content] == '%'))
+            line = lineAt(text, line.end + 1);
+        return line;
+    };
+    Line first = below(lineAt(text, 0));
+    if (!first.startsWith(text, "---"))
+        return first;
+    first.content = std::min(text.find_first_not_of(' ', first.content + 3), first.end);
+    return below(first);
+}
+
+// The first document alone, which must be a mapping of lines that stay inside of it: OpenCV 4.6 looks for the next
+// document forever where it meets a dash instead.
+void keepFirstMapping(String& text)
+{
+    const Line first = firstContent(text);
+    if (first.isEmpty(text) || !(std::isalpha(static_cast<uchar>(text[first.content])) || text[first.content] == '_'))
+        parseError("holds no mapping");
+    for (size_t begin = first.end + 1; begin < text.size();) {
+        const Line line = lineAt(text, begin);
+        begin = line.end + 1;
+        if (line.isEmpty(text) || line.indentation() > first.indentation())
+            continue;
+        if (line.startsWith(text, "...") || line.startsWith(text, "---"))
+            text.erase(line.begin);
+        else if (line.indentation() < first.indentation())
+            parseError("has a line that leaves its mapping");
+    }
+}
+
 // YAML as cv::FileStorage wants it: with its first line, without tabs and comments above it.
 String plainYaml(String text)
 {
@@ -185,9 +235,10 @@ String plainYaml(String text)
         parseError("holds nothing");
     const size_t newline = text.rfind('\n', start);
     text.erase(0, newline == String::npos ? 0 : newline + 1);  // the indentation of the first line counts
-    if (text[0] == '%')
-        return text;
-    return text.compare(0, 3, "---") == 0 ? "%YAML:1.0\n" + text : "%YAML:1.0\n---\n" + text;
+    if (text[0] != '%')
+        text.insert(0, text.compare(0, 3, "---") == 0 ? "%YAML:1.0\n" : "%YAML:1.0\n---\n");
+    keepFirstMapping(text);
+    return text;
 }
 
 // Text of a file as cv::FileStorage wants it.

@@ -70,8 +70,7 @@ public:
                 return false;
             p = distortion.apply(p, J);
         }
-        pixel = k.pixelOf(p);
-        return true;
+        return k.pixelOf(p, pixel);
     }
 
     void angularScales(const Vec3d* rays, int count, double* scales) const override

@@ -102,11 +102,7 @@ public:
         }
         if (isTilted && !transform(tilt, p, p, nullptr))
             return false;
-        const Point2d found = k.pixelOf(p);
-        if (!isFinite(found))
-            return false;
-        pixel = found;
-        return true;
+        return k.pixelOf(p, pixel);
     }
 
     void angularScales(const Vec3d* rays, int count, double* scales) const override

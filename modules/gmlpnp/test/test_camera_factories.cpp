@@ -161,5 +161,19 @@ TEST(Gmlpnp_CameraFactories, parameters)
         expectError(Error::StsBadArg, "size", [&] { CameraModel::equirectangular(bad); });
 }
 
+// A point far from the axis, or any point with a focal length like that: its pixel is beyond the range of a double.
+TEST(Gmlpnp_CameraFactories, pixels_beyond_all_numbers_are_none)
+{
+    const Matx33d huge = matrixK(1e308, 1e308, 1e308, 1e308);
+    for (const auto& lens :
+         {CameraModel::pinhole(huge), CameraModel::fisheye(huge), CameraModel::omnidir(huge, noArray(), 0.1),
+          CameraModel::eucm(huge, 0.5, 1), CameraModel::doubleSphere(huge, 0, 0.5)}) {
+        Point2d pixel(7, 7);
+        EXPECT_FALSE(lens->projectPoint({1, 1, 0.1}, pixel));
+        EXPECT_EQ(pixel, Point2d(7, 7));
+        EXPECT_TRUE(lens->projectPoint({0, 0, 1}, pixel));
+    }
+}
+
 }  // namespace
 }  // namespace opencv_test

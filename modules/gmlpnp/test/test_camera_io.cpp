@@ -169,6 +169,20 @@ TEST(Gmlpnp_CameraIo, errors_of_the_parser_name_the_line)
     expectError(Error::StsParseError, ".yml: (4)", [] { loadText("%YAML:1.0\n---\na: 1\n]b\n"); });
 }
 
+// OpenCV 4.6 looks forever for the document behind such a mapping. Of several documents the first counts.
+TEST(Gmlpnp_CameraIo, what_follows_the_mapping_is_refused_or_left_out)
+{
+    for (const char* text : {" a: 1.0\n-[r--\nb: ![ ", "\t\t%YAML:1.0\n-- -\nK: !!x\n   d: [ 6.,3]\n", "  a: 1\n- b\n",
+                             "---\n{a: 1}\n-b\n", "--- {a: 1} -b\n", "--- 5 -b\n", "---\n\"a\" -b\n",
+                             "--- # a\n  a: 1\n-b\n", "---\n---\n-b\n", "---\n--- -b", "---"})
+        expectError(Error::StsParseError, ".yml: ", [&] { loadText(text); });
+    const std::string whole = calibration("K", "D");
+    for (const char* more : {"...\n-b\n", "...\n  -b\n", "---\n-b\n", "...\n---\nK: 1\n", "# a\n\n", "  # a\n...\n"})
+        expectSame(loadText(whole + more), CameraModel::pinhole(kMatrix, kCoefficients));
+    expectSame(loadText("--- # a\n\n  K: [407.5, 0, 630.5, 0, 409.25, 431.5, 0, 0, 1]\n  D: []\n...\n-b\n"),
+               CameraModel::pinhole(kMatrix));
+}
+
 // Whatever stands in a file: a camera or a cv::Exception that names the file.
 TEST(Gmlpnp_CameraIo, damaged_files_throw)
 {
