@@ -91,7 +91,7 @@ protected:
 
 TEST_F(Memory, ofAPose)
 {
-    expectAtMost(80, solvePose);
+    expectAtMost(88, solvePose);
 }
 
 TEST_F(Memory, ofEverything)

@@ -128,34 +128,43 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
     const bool isotropicStart = isIsotropic(noise);
     const bool scaleKnown = data.hasKnown() || isConstant(kind) || stopping.otherKnown;
     std::vector<double> c(stopping.robust ? n : 0);
-    PassOptions options{leverArmOf(kind), NO_PRODUCTS, stopping.robust ? c.data() : nullptr, stopping.sampled};
-    const auto pass = [&](const Pose& pose, const Noise& at) { return rayPass(data, pose, at, options); };
+    PassOptions options{leverArmOf(kind), stopping.near ? productsFor(kind) : NO_PRODUCTS,
+                        stopping.robust ? c.data() : nullptr, stopping.sampled};
     Estimate now;
     now.pose = start;
     now.noise = noise;
     now.kind = kind;
+    const auto pass = [&](const Pose& pose, const Noise& at) {
+        RaySums sums = rayPass(data, pose, at, options);
+        if (stopping.near && !options.products)
+            sums.QQ = now.sums.QQ;
+        return sums;
+    };
     now.sums = pass(start, noise);
     bool scoring = n >= SCORING_POINTS;
+    Products products = options.products;  // that the sums of `now` hold
     while (now.rounds < stopping.maxRounds && !now.converged) {
         Vector6d xi = gaussNewtonStep(now.sums);
         Estimate next = now;
         next.rounds++;
-        const bool scored = options.products != NO_PRODUCTS;
-        next.noise = nextNoise(now, options.products, n);
-        options.products = scoring ? productsFor(kind) : NO_PRODUCTS;
+        const bool scored = products != NO_PRODUCTS;
+        next.noise = nextNoise(now, products, n);
+        options.products = scoring && !stopping.near ? productsFor(kind) : NO_PRODUCTS;
+        if (!stopping.near)
+            products = options.products;
         if (stopping.robust && (now.rounds > 0 || !isotropicStart))  // anisotropy looks like tails
             next.noise.tail = updatedTail(now.noise.tail, scaleKnown, c.data(), now.sums, n);
         next.pose = perturbed(now.pose, xi);
         const double promise = promised(now, next.noise, xi);
-        next.converged = settled(now, next, promise, (options.products ? SCORING_AHEAD : 1) * stopping.tolerance, n);
+        next.converged = settled(now, next, promise, (products ? SCORING_AHEAD : 1) * stopping.tolerance, n);
         const bool last = next.converged || next.rounds == stopping.maxRounds;
-        if (last && promise < goodEnough(stopping.last))
+        if (last && (stopping.near || promise < goodEnough(stopping.last)))
             return next;
         const bool noiseChanged = !isConstant(kind) || next.noise.tail != now.noise.tail;
         next.sums = pass(next.pose, next.noise);
         if (scored && ledAstray(now.sums, next.sums, n)) {
             scoring = false;
-            options.products = NO_PRODUCTS;
+            products = options.products = NO_PRODUCTS;
             now.sums = pass(now.pose, now.noise);  // c is that of the pose again
             now.rounds++;
             continue;
@@ -174,30 +183,40 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
     return now;
 }
 
+namespace {
+
+// Proposition 1 with the noise of the part.
+Estimate publishedStep(const Correspondences& data, Estimate now)
+{
+    now.sums = rayPass(data, now.pose, now.noise, {LeverArm::AS_GIVEN});
+    now.pose = perturbed(now.pose, gaussNewtonStep(now.sums));
+    now.rounds = 1;
+    return now;
+}
+
+Estimate fewRounds(const Correspondences& data, const Estimate& from, Stopping stopping)
+{
+    constexpr double LEFT = 4;  // nat: what the last step leaves is far less
+    stopping.near = true;
+    stopping.robust = false;
+    stopping.tolerance = std::max(stopping.tolerance, productsFor(from.kind) ? LEFT / SCORING_AHEAD : LEFT);
+    stopping.maxRounds = 3;
+    return alternate(data, from.pose, from.noise, from.kind, stopping);
+}
+
+}  // namespace
+
 Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, const Stopping& stopping)
 {
-    const NoiseKind kind = ofPart.kind;
-    PassOptions options{leverArmOf(kind), productsFor(kind), nullptr, stopping.sampled};
-    Estimate now = ofPart;
-    now.sums = rayPass(data, now.pose, now.noise, options);
-    const Vector6d xi = gaussNewtonStep(now.sums);
-    constexpr double UNLIKELY = 60;  // g^T H^-1 g is n / size times chi-squared of 6 degrees of freedom
-    if (!(std::abs(now.sums.g.dot(xi)) <= UNLIKELY * data.size() / size))
-        return alternate(data, now.pose, now.noise, kind, stopping);
-    const Noise noise = nextNoise(now, options.products, data.size());
-    now.pose = perturbed(now.pose, xi);
-    now.rounds++;
-    if (kind == NoiseKind::PUBLISHED)  // Proposition 1 with the noise of the part
-        return now;
-    const RaySums scored = rayPass(data, now.pose, noise);
-    if (options.products && ledAstray(now.sums, scored, data.size()))
-        now.sums = rayPass(data, now.pose, now.noise);
-    else {
-        now.noise = noise;
-        now.sums = scored;
-    }
-    now.pose = perturbed(now.pose, gaussNewtonStep(now.sums));
-    now.rounds++;
+    const bool published = ofPart.kind == NoiseKind::PUBLISHED;
+    Estimate now = published ? publishedStep(data, ofPart) : fewRounds(data, ofPart, stopping);
+    const Vector6d xi = difference(now.pose, ofPart.pose);
+    constexpr double UNLIKELY = 60;  // xi^T H xi is n / size times chi-squared of 6 degrees of freedom
+    const bool far = !(xi.dot(now.sums.H * xi) <= UNLIKELY * data.size() / size);
+    if (far || !(published || now.converged))
+        now = alternate(data, now.pose, now.noise, now.kind, stopping);
+    now.rounds += ofPart.rounds;
+    now.evidence = ofPart.evidence;
     return now;
 }
 

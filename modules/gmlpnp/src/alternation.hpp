@@ -28,6 +28,7 @@ struct Stopping
     LastSums last = LastSums::AT_POSE;
     bool sampled = false;     //!< scoring by a quarter of the points: the estimate then depends a little on their order
     bool otherKnown = false;  //!< the noise that is not estimated is known, not absent
+    bool near = false;        //!< the start is near the end: scoring at once, by the products of the first pass
     double tail = 0;          //!< 1/nu at the start; it stays where the tails are not estimated
 };
 
@@ -61,9 +62,9 @@ CV_EXPORTS Estimate alternate(const Correspondences& data, const Pose& start, co
 /** The pose of least  sum |v_i|^2  near `start`. */
 CV_EXPORTS Pose isotropicPose(const Correspondences& data, const Pose& start);
 
-/** The estimate over all points from what `size` of them gave. The noise is known so well by then that one update and
-one or two steps of the pose end it. A first step longer than chance can explain says that the part did not stand for
-all: then the alternation goes on over all of them. */
+/** The estimate over more points from what `size` of them gave, in two or three passes: so near the end scoring squares
+what is left of the noise's error. Where that does not settle it, or the pose moves further than chance can explain,
+the alternation goes on. */
 Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, const Stopping& stopping);
 
 /** A rise of L that a step may cost where the noise is estimated [nat]; more for many points (accepted()). */

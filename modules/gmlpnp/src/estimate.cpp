@@ -193,15 +193,15 @@ Noise inShapeOf(const Estimate& other, double meanDepth2, const IsotropicNoise& 
 }  // namespace
 
 Estimate estimatePublished(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
-                           const KnownNoise& Gamma, const Stopping& stopping, const Correspondences* part)
+                           const KnownNoise& Gamma, const Stopping& stopping, const Parts& parts)
 {
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
     const Noise noise{Sigma ? usable(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero()), 0};
     const NoiseKind kind = Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED;
-    if (!part)
+    if (parts.empty())
         return alternate(data, start, noise, kind, stopping);
-    return overAll(data, alternate(*part, start, noise, kind, stopping), part->size(), stopping);
+    return overAll(data, alternate(parts.front(), start, noise, kind, stopping), parts.front().size(), stopping);
 }
 
 namespace {
@@ -223,7 +223,7 @@ Estimate estimateOther(const Correspondences& data, const Pose& start, const Kno
     return averaged(data, rivals.data(), 2, stopping.last);
 }
 
-// Those that the part has not ruled out, over all points; how many.
+// Those that the part of this size has not ruled out, over more points; how many.
 int overAll(const Correspondences& data, Rival* rivals, int count, int size, const Stopping& stopping)
 {
     double likeliest = std::numeric_limits<double>::infinity(), best = likeliest;
@@ -241,7 +241,7 @@ int overAll(const Correspondences& data, Rival* rivals, int count, int size, con
 }  // namespace
 
 Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
-                          const KnownNoise& Gamma, const Stopping& stopping, const Correspondences* part)
+                          const KnownNoise& Gamma, const Stopping& stopping, const Parts& parts)
 {
     if (Sigma && Gamma)
         return alternate(data, start, {usable(*Sigma), *Gamma, 0}, NoiseKind::FIXED, stopping);
@@ -250,7 +250,7 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
     if (Sigma || Gamma)
         return estimateOther(data, start, Sigma, Gamma, stopping);
 
-    const Correspondences& fitted = part ? *part : data;
+    const Correspondences& fitted = parts.empty() ? data : parts.front();
     const IsotropicSplit split = splitResiduals(fitted, start);
     const Race race = contenders(split);
     std::array<Rival, 3> rivals;
@@ -267,7 +267,11 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
         rivals[k] = {alternate(fitted, from, noise, next.kind, fitting), next.penalty, next.prior};
         rivals[k].estimate.evidence = race.evidence;
     }
-    const int count = part ? overAll(data, rivals.data(), race.count, part->size(), fitting) : race.count;
+    int count = race.count;
+    for (size_t k = 0; k < parts.size(); ++k) {
+        const Correspondences& larger = k + 1 < parts.size() ? parts[k + 1] : data;
+        count = overAll(larger, rivals.data(), count, parts[k].size(), fitting);
+    }
     return averaged(data, rivals.data(), count, stopping.last);
 }
 

@@ -14,15 +14,15 @@ namespace detail {
 /** A known noise in the solver's units; none: estimated. */
 using KnownNoise = std::optional<Matrix3d>;
 
-// Of many points a part finds the kind of noise and most of the way to its covariance and to the pose: with a `part`
-// (Correspondences::part) the alternation runs on that, one or two passes over all points end it, and the sums are
-// those before the last step unless Stopping::last asks for others.
+/** Parts of many points (Correspondences::part), each larger than the one before it. They find the kind of noise and
+most of the way to its covariance and to the pose: the alternation runs on the first, a few passes over each of the
+others and over all points end it, and the sums are those of the last pass. None: the alternation runs on all. */
+using Parts = std::vector<Correspondences>;
 
 /** Algorithm 1 of the paper from a pose of isotropic noise. With a known Sigma its Proposition 1 (GMLPnP*). Gamma is
 zero unless given. */
 CV_EXPORTS Estimate estimatePublished(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
-                                      const KnownNoise& Gamma, const Stopping& stopping,
-                                      const Correspondences* part = nullptr);
+                                      const KnownNoise& Gamma, const Stopping& stopping, const Parts& parts = {});
 
 /** What a kind of noise must be better than the others to be chosen [nat]: a noise more asks for evidence. */
 CV_EXPORTS double evidenceAsked(NoiseKind kind);
@@ -36,8 +36,7 @@ CV_EXPORTS double priorAgainst(NoiseKind kind, const IsotropicSplit& split);
 /** Marginal likelihood over pose, Sigma and Gamma, from a pose of isotropic noise. Object noise, bearing noise and both
 are fitted; the noise is that of the likeliest, the pose the mean over all three by their evidence. */
 CV_EXPORTS Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
-                                     const KnownNoise& Gamma, const Stopping& stopping,
-                                     const Correspondences* part = nullptr);
+                                     const KnownNoise& Gamma, const Stopping& stopping, const Parts& parts = {});
 
 }  // namespace detail
 }  // namespace gmlpnp

@@ -25,13 +25,13 @@ std::vector<Pose> startingPoses(const Correspondences& data, const Options& opti
     return poses;
 }
 
-Estimate estimate(const Correspondences& data, const Pose& start, const Options& options, const Correspondences* part)
+Estimate estimate(const Correspondences& data, const Pose& start, const Options& options, const Parts& parts)
 {
     const double unit = 1 / (data.scale * data.scale);
     const KnownNoise Sigma = options.Sigma ? KnownNoise(unit * *options.Sigma) : std::nullopt;
     if (options.method == SOLVEPNP_GMLPNP)
-        return estimatePublished(data, start, Sigma, options.Gamma, options.stopping, part);
-    return estimateMarginal(data, start, Sigma, options.Gamma, options.stopping, part);
+        return estimatePublished(data, start, Sigma, options.Gamma, options.stopping, parts);
+    return estimateMarginal(data, start, Sigma, options.Gamma, options.stopping, parts);
 }
 
 // A guess is never made worse: the cost does not end above its own at the noise that was found.
@@ -120,9 +120,9 @@ bool samePose(const Pose& a, const Pose& b)
 }
 
 // The distinct poses that make sense, best first.
-std::vector<Estimate> fit(const Correspondences& data, const Options& options, const Correspondences* part)
+std::vector<Estimate> fit(const Correspondences& data, const Options& options, const Parts& parts)
 {
-    const std::vector<Pose> starts = startingPoses(part ? *part : data, options);
+    const std::vector<Pose> starts = startingPoses(parts.empty() ? data : parts.front(), options);
     Options fitting = options;
     // The last sums are needed to compare with other poses and for all that is said about this one.
     const bool needed = options.extras || options.guess || starts.size() > 1;
@@ -130,7 +130,7 @@ std::vector<Estimate> fit(const Correspondences& data, const Options& options, c
     fitting.stopping.sampled = !options.extras;
     std::vector<Estimate> found;
     for (const Pose& start : starts) {
-        Estimate candidate = estimate(data, start, fitting, part);
+        Estimate candidate = estimate(data, start, fitting, parts);
         if (options.guess)
             keepGuessIfBetter(data, data.fromObject(*options.guess), candidate);
         const auto known = [&](const Estimate& other) { return samePose(other.pose, candidate.pose); };
@@ -141,17 +141,29 @@ std::vector<Estimate> fit(const Correspondences& data, const Options& options, c
     return found;
 }
 
-// Where only the pose is asked for: of MANY points, PART of them for all but the last passes. The errors are those of
-// all points for everything, within .5 % (doc/performance.md).
-constexpr int PART = 300, MANY = 600;
+// Where only the pose is asked for: of MANY points, PART of them for all but the last passes, and as many passes over
+// parts of up to GROWTH times as many each. What a part leaves of the noise's error is squared by each. The errors are
+// those of all points for everything, within 1 % (doc/performance.md).
+constexpr int PART = 300, MANY = 600, GROWTH = 8;
 
-std::vector<Estimate> fitByPart(const Correspondences& data, const Options& options)
+Parts partsOf(const Correspondences& data, Method method)
+{
+    Parts parts;
+    if (method == SOLVEPNP_GMLPNP_MARGINAL)  // the noise of the other stays that of the first part
+        for (int size = data.size() / GROWTH; size > PART; size /= GROWTH)
+            parts.push_back(data.part(size));
+    parts.push_back(data.part(PART));
+    std::reverse(parts.begin(), parts.end());
+    return parts;
+}
+
+std::vector<Estimate> fitByParts(const Correspondences& data, const Options& options)
 {
     const bool fits = !options.extras && !options.everyMinimum && !options.Sigma && !options.Gamma;
     if (!fits || data.size() < MANY)
         return {};
-    const Correspondences part = data.part(PART);
-    return part.degenerate() ? std::vector<Estimate>() : fit(data, options, &part);
+    const Parts parts = partsOf(data, options.method);
+    return parts.front().degenerate() ? std::vector<Estimate>() : fit(data, options, parts);
 }
 
 }  // namespace
@@ -167,9 +179,9 @@ Status solveAll(const Observations& observations, const Options& options, std::v
     if (data.degenerate())
         return STATUS_DEGENERATE;
 
-    std::vector<Estimate> found = fitByPart(data, options);
+    std::vector<Estimate> found = fitByParts(data, options);
     if (found.empty())
-        found = fit(data, options, nullptr);
+        found = fit(data, options, {});
     if (found.empty())
         return STATUS_DEGENERATE;
     if (!options.everyMinimum)
