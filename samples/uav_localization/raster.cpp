@@ -73,6 +73,19 @@ GeoTransform geoTransformOf(GDALDataset& dataset, const std::string& path)
     return {cv::Matx23d(g[1], g[2], g[0] + 0.5 * (g[1] + g[2]), g[4], g[5], g[3] + 0.5 * (g[4] + g[5]))};
 }
 
+//! Of all its files.
+std::uintmax_t bytesOf(GDALDataset& dataset)
+{
+    std::uintmax_t bytes = 0;
+    const CPLStringList files(dataset.GetFileList(), true);
+    for (int i = 0; i < files.size(); ++i) {
+        VSIStatBufL status;
+        if (VSIStatL(files[i], &status) == 0)
+            bytes += static_cast<std::uintmax_t>(status.st_size);
+    }
+    return bytes;
+}
+
 Dataset opened(const std::string& path)
 {
     startGdal();
@@ -81,6 +94,11 @@ Dataset opened(const std::string& path)
         fail(path, "cannot be opened as a raster");
     if (dataset->GetRasterCount() == 0)
         fail(path, "no bands");
+    // A damaged header names any size, and memory would be taken for it.
+    constexpr double MANY = 1e8, PIXELS_PER_BYTE = 5000;  // as much as blank pixels are compressed
+    const double pixels = static_cast<double>(dataset->GetRasterXSize()) * dataset->GetRasterYSize();
+    if (pixels > MANY && pixels > PIXELS_PER_BYTE * static_cast<double>(bytesOf(*dataset)))
+        fail(path, "names more pixels than it can hold");
     return dataset;
 }
 

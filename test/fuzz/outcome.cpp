@@ -27,11 +27,13 @@ bool finite(const cv::Vec3d& v)
 void requireCovariance(const cv::Mat& m, int size, const char* promise)
 {
     require(m.rows == size && m.cols == size && m.type() == CV_64F && finite(m), promise);
+    // A known noise goes back as it came, which may be positive semidefinite to its own rounding.
+    const double rounding = 1e-6 * cv::norm(m, cv::NORM_INF);
     for (int i = 0; i < size; ++i) {
-        require(m.at<double>(i, i) >= 0, promise);
+        require(m.at<double>(i, i) >= -rounding, promise);
         for (int j = 0; j < i; ++j)
             require(std::abs(m.at<double>(i, j) - m.at<double>(j, i)) <=
-                        1e-6 * std::sqrt(m.at<double>(i, i)) * std::sqrt(m.at<double>(j, j)),
+                        1e-6 * std::sqrt(std::abs(m.at<double>(i, i))) * std::sqrt(std::abs(m.at<double>(j, j))),
                     promise);
     }
 }

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <limits>
 
+#include <gdal_priv.h>
+
 #include <opencv2/imgproc.hpp>
 
 #include "uav_localization/localization.hpp"
@@ -190,6 +192,21 @@ TEST(Raster, InDegreesIsWarpedIntoUtm)
     EXPECT_NEAR(terrain.elevation({290515.84, 2728880.22}), 60.0, 1.5);
     EXPECT_NEAR(terrain.elevation({294564.96, 2728819.75}), 140.0, 1.5);
     EXPECT_TRUE(std::isnan(terrain.elevation({120.95, 24.66})));
+}
+
+// A sparse file may have any size; what a header says is no reason to take the memory for it.
+TEST(Raster, OfMorePixelsThanItsFileHoldsIsRefused)
+{
+    const std::string path = ::testing::TempDir() + "gmlpnp_empty.tif";
+    GDALAllRegister();
+    CPLStringList options;
+    options.AddString("SPARSE_OK=TRUE");
+    options.AddString("TILED=YES");
+    options.AddString("BLOCKXSIZE=32768");
+    options.AddString("BLOCKYSIZE=32768");
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+    GDALClose(driver->Create(path.c_str(), 200000, 200000, 1, GDT_Byte, options.List()));
+    EXPECT_THROW(readOrthophoto(path, kSystem), std::runtime_error);
 }
 
 TEST(Raster, OfAnotherSystemIsWarpedIntoTheMaps)

@@ -101,6 +101,8 @@ TEST(TumRgbd, RefusesFilesThatAreNoDepthImage)
         std::ofstream(path) << content;
         EXPECT_THROW(readDepthImage(path), std::runtime_error) << content;
     }
+    std::ofstream(path) << std::string(128, '\0') << "DICMC;";  // OpenCV aborts on it
+    EXPECT_THROW(readDepthImage(path), std::runtime_error);
     std::ofstream(path) << "P2 2 1 65535\n1 5000\n";
     EXPECT_EQ(depthAt(readDepthImage(path), {1.0f, 0.0f}), 1.0);
 }

@@ -69,12 +69,18 @@ double firstPositiveRoot(const double* c, int degree)
     return positiveRoots(c, degree, roots) > 0 ? roots[0] : std::numeric_limits<double>::infinity();
 }
 
+namespace {
+
+const double kLargestParameter = 1e30;
+
+}  // namespace
+
 Intrinsics intrinsicsFrom(InputArray cameraMatrix)
 {
     const Mat_<double> K = matrixFrom(cameraMatrix, 3, 3, "K (cameraMatrix)");
-    if (!checkRange(K, true, nullptr, -DBL_MAX, DBL_MAX))
+    if (!checkRange(K, true, nullptr, -kLargestParameter, kLargestParameter))
         CV_Error(Error::StsBadArg, "'K' (cameraMatrix) must be finite");
-    if (K(0, 0) == 0 || K(1, 1) == 0)
+    if (!(std::abs(K(0, 0)) * kLargestParameter > 1 && std::abs(K(1, 1)) * kLargestParameter > 1))
         CV_Error(Error::StsBadArg, "'K' (cameraMatrix) has a focal length of zero");
     return {K(0, 0), K(1, 1), K(0, 1), K(0, 2), K(1, 2)};
 }
@@ -101,7 +107,7 @@ std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<
     given.convertTo(dense, CV_64F);
     std::copy(dense.ptr<double>(), dense.ptr<double>() + n, D.begin());
     for (const double d : D)
-        if (!std::isfinite(d))
+        if (!(std::abs(d) < kLargestParameter))
             CV_Error(Error::StsBadArg, "'D' (distCoeffs) must be finite");
     return D;
 }

@@ -63,12 +63,13 @@ private:
 /** Of a point on the image plane: beyond, its ray has no digits left and squares would overflow. */
 const double kLargestSquaredRadius = 1e60;
 
-/** Camera matrix "K", 3x3 of any numeric depth. StsAssert for another shape, StsBadArg for a focal length of zero or
-a value that is not finite. */
+/** Camera matrix "K", 3x3 of any numeric depth. StsAssert for another shape, StsBadArg for a focal length of zero (less
+than 1e-30) or a value that is not finite (more than 1e30): the derivatives of a lens need room. */
 Intrinsics intrinsicsFrom(InputArray cameraMatrix);
 
 /** Distortion coefficients "D": a row or column of any numeric depth, none, or one of `counts` of them; returned with
-zeros behind the last. StsAssert for another shape or count, StsBadArg for a value that is not finite. */
+zeros behind the last. StsAssert for another shape or count, StsBadArg for a value that is not finite (more than
+1e30). */
 std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<int>& counts, size_t size);
 
 /** StsBadArg, naming the parameter, unless low <= value <= high (no NaN). */

@@ -193,16 +193,17 @@ Line lineAt(const String& text, size_t begin)
 // Where the first document starts: below comments and directives, behind the mark.
 Line firstContent(const String& text)
 {
-    const auto below = [&text](Line line) {
-        while (line.end < text.size() && (line.isEmpty(text) || text[line.content] == '%'))
+    Line line = lineAt(text, 0);
+    const auto skip = [&](bool directives) {
+        while (line.end < text.size() && (line.isEmpty(text) || (directives && text[line.content] == '%')))
             line = lineAt(text, line.end + 1);
-        return line;
     };
-    Line first = below(lineAt(text, 0));
-    if (!first.startsWith(text, "---"))
-        return first;
-    first.content = std::min(text.find_first_not_of(' ', first.content + 3), first.end);
-    return below(first);
+    skip(true);
+    if (line.startsWith(text, "---")) {
+        line.content = std::min(text.find_first_not_of(' ', line.content + 3), line.end);
+        skip(false);
+    }
+    return line;
 }
 
 // The first document alone, which must be a mapping of lines that stay inside of it: OpenCV 4.6 looks for the next

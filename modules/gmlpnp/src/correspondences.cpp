@@ -119,8 +119,9 @@ Matrix3d Correspondences::knownAt(int i, int first) const
 
 bool Correspondences::finite() const
 {
-    // Sums of squares are finite for anything below 1e150 and not for NaN and infinity.
-    return std::isfinite(scale) && std::isfinite(sums.ray2) && std::isfinite(sums.inverse2);
+    // Sums of squares are finite for anything below 1e150 and not for NaN and infinity; covariances need room as well.
+    constexpr double LARGEST = 1e100;
+    return scale < LARGEST && std::isfinite(sums.ray2) && std::isfinite(sums.inverse2);
 }
 
 bool Correspondences::degenerate() const

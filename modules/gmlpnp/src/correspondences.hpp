@@ -46,7 +46,8 @@ public:
     Matrix3d knownObject(int i) const { return knownAt(i, 0); }
     Matrix3d knownRay(int i) const { return knownAt(i, 6); }
 
-    /** Whether every point and ray was finite and no ray zero. */
+    /** Whether every point and ray was finite, the object not of a size that covariances have no numbers for, and no
+    ray zero. */
     CV_EXPORTS bool finite() const;
 
     /** Whether no pose can follow: points on one line or at one place, or rays all in one direction. */

@@ -58,19 +58,40 @@ void Outputs::add(const Mat& value, OutputArray out, const char* name)
     reserve(converted, out);
 }
 
+namespace {
+
+// A number beyond the range of a float is none in it.
+bool fitsFloat(const Vec3d& value)
+{
+    constexpr double LARGEST = std::numeric_limits<float>::max();
+    return norm(value, NORM_INF) <= LARGEST;
+}
+
+void requireFit(const Vec3d& value, int depth, const char* name)
+{
+    if (depth == CV_32F && !fitsFloat(value))
+        CV_Error(Error::StsOutOfRange, format("'%s' is of float, which ends before %g", name, norm(value, NORM_INF)));
+}
+
+}  // namespace
+
 void Outputs::add(const Vec3d& value, OutputArray out, const char* name)
 {
-    const int depth = out.empty() && !out.fixedType() ? CV_64F : out.depth();
+    const bool isFloat = (out.fixedType() || !out.empty()) && out.depth() == CV_32F;
+    if (out.fixedType())
+        requireFit(value, out.depth(), name);
     Mat column;
-    Mat(value, false).convertTo(column, depth == CV_32F ? CV_32F : CV_64F);
+    Mat(value, false).convertTo(column, isFloat && fitsFloat(value) ? CV_32F : CV_64F);
     add(column, out, name);
 }
 
 void Outputs::add(const std::vector<Vec3d>& values, OutputArrayOfArrays out, const char* name)
 {
+    const int n = static_cast<int>(values.size()), depth = out.fixedType() ? out.depth() : CV_64F;
+    for (const Vec3d& value : values)
+        requireFit(value, depth, name);
     if (out.kind() == _InputArray::STD_VECTOR)
         return add(Mat(values).reshape(1), out, name);
-    const int n = static_cast<int>(values.size()), depth = out.fixedType() ? out.depth() : CV_64F;
     std::vector<Mat> list(n);
     for (int i = 0; i < n; ++i)
         Mat(values[i]).convertTo(list[i], depth);

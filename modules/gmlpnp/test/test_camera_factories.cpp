@@ -161,18 +161,27 @@ TEST(Gmlpnp_CameraFactories, parameters)
         expectError(Error::StsBadArg, "size", [&] { CameraModel::equirectangular(bad); });
 }
 
-// A point far from the axis, or any point with a focal length like that: its pixel is beyond the range of a double.
+// A point far from the axis: its pixel is beyond the range of a double.
 TEST(Gmlpnp_CameraFactories, pixels_beyond_all_numbers_are_none)
 {
-    const Matx33d huge = matrixK(1e308, 1e308, 1e308, 1e308);
-    for (const auto& lens :
-         {CameraModel::pinhole(huge), CameraModel::fisheye(huge), CameraModel::omnidir(huge, noArray(), 0.1),
-          CameraModel::eucm(huge, 0.5, 1), CameraModel::doubleSphere(huge, 0, 0.5)}) {
+    for (const auto& lens : {CameraModel::pinhole(kTum), CameraModel::omnidir(kTum, noArray(), 1e-306),
+                             CameraModel::eucm(kTum, 0, 1), CameraModel::doubleSphere(kTum, 0, 0)}) {
         Point2d pixel(7, 7);
-        EXPECT_FALSE(lens->projectPoint({1, 1, 0.1}, pixel));
+        EXPECT_FALSE(lens->projectPoint({1, 0, 1e-306}, pixel));
         EXPECT_EQ(pixel, Point2d(7, 7));
         EXPECT_TRUE(lens->projectPoint({0, 0, 1}, pixel));
     }
+}
+
+// Their derivatives would be beyond the range of a double.
+TEST(Gmlpnp_CameraFactories, parameters_beyond_reason_are_refused)
+{
+    for (const double bad : {1e-31, 1e31, -1e300}) {
+        expectError(Error::StsBadArg, "'K'", [&] { CameraModel::pinhole(matrixK(bad, 500, 320, 240)); });
+        expectError(Error::StsBadArg, "'K'", [&] { CameraModel::fisheye(matrixK(500, bad, 320, 240)); });
+    }
+    expectError(Error::StsBadArg, "'K'", [] { CameraModel::pinhole(matrixK(500, 500, 1e300, 240)); });
+    expectError(Error::StsBadArg, "'D'", [] { CameraModel::pinhole(kTum, Vec4d(-1.7e308, 0, 0, 0)); });
 }
 
 }  // namespace

@@ -172,9 +172,10 @@ TEST(Gmlpnp_CameraIo, errors_of_the_parser_name_the_line)
 // OpenCV 4.6 looks forever for the document behind such a mapping. Of several documents the first counts.
 TEST(Gmlpnp_CameraIo, what_follows_the_mapping_is_refused_or_left_out)
 {
-    for (const char* text : {" a: 1.0\n-[r--\nb: ![ ", "\t\t%YAML:1.0\n-- -\nK: !!x\n   d: [ 6.,3]\n", "  a: 1\n- b\n",
-                             "---\n{a: 1}\n-b\n", "--- {a: 1} -b\n", "--- 5 -b\n", "---\n\"a\" -b\n",
-                             "--- # a\n  a: 1\n-b\n", "---\n---\n-b\n", "---\n--- -b", "---"})
+    for (const char* text :
+         {" a: 1.0\n-[r--\nb: ![ ", "\t\t%YAML:1.0\n-- -\nK: !!x\n   d: [ 6.,3]\n", "  a: 1\n- b\n",
+          "---\n{a: 1}\n-b\n", "--- {a: 1} -b\n", "--- 5 -b\n", "---\n\"a\" -b\n", "--- # a\n  a: 1\n-b\n",
+          "---\n---\n-b\n", "\t%YAM---e: &isM\n_ty\n-\n", "---\n--- -b", "---"})
         expectError(Error::StsParseError, ".yml: ", [&] { loadText(text); });
     const std::string whole = calibration("K", "D");
     for (const char* more : {"...\n-b\n", "...\n  -b\n", "---\n-b\n", "...\n---\nK: 1\n", "# a\n\n", "  # a\n...\n"})

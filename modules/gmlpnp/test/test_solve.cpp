@@ -283,6 +283,8 @@ TEST(Gmlpnp_Solve, badDataIsAStatusAndTouchesNothing)
                      zero = scene.rays.clone();
     nan(3, 1) = std::nan("");
     zero.row(4) = 0;
+    cv::Mat_<double> huge = scene.objectPoints.clone();
+    huge *= 1e101;
     for (int i = 0; i < 10; ++i)
         line(i, 0) = i, line(i, 1) = 2 * i, line(i, 2) = -i;
     const struct
@@ -290,6 +292,7 @@ TEST(Gmlpnp_Solve, badDataIsAStatusAndTouchesNothing)
         cv::Mat_<double> points, rays;
         int status;
     } cases[] = {{nan, scene.rays, cv::gmlpnp::STATUS_NOT_FINITE},
+                 {huge, scene.rays, cv::gmlpnp::STATUS_NOT_FINITE},
                  {scene.objectPoints, zero, cv::gmlpnp::STATUS_NOT_FINITE},
                  {line, scene.rays, cv::gmlpnp::STATUS_DEGENERATE},
                  {place, scene.rays, cv::gmlpnp::STATUS_DEGENERATE},

@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 
+#include "expect_error.hpp"
 #include "scenes.hpp"
 
 // The contract of a drop-in for cv::solvePnP: what is accepted, returned and refused.
@@ -189,6 +190,30 @@ TEST(Gmlpnp_SolvePnP, outputsKeepTheDepthOfWhatWasPassed)
     EXPECT_EQ(CV_64F, rowT.type());
     EXPECT_EQ(cv::Size(1, 3), rowR.size());
     EXPECT_EQ(r.tvec[2], tv[2]);
+}
+
+TEST(Gmlpnp_SolvePnP, whatAFloatCannotHoldIsWrittenAsDoubleOrRefused)
+{
+    cv::RNG rng = testRng();
+    const Reference r = reference(rng);
+    const cv::Mat points = 1e40 * r.scene.objectPoints;
+    const auto solve = [&](cv::OutputArray rvec, cv::OutputArray tvec) {
+        return cv::gmlpnp::solvePnP(points, r.scene.imagePoints, r.K, cv::noArray(), rvec, tvec);
+    };
+    cv::Mat rvec(3, 1, CV_32F), tvec(3, 1, CV_32F);
+    ASSERT_TRUE(solve(rvec, tvec));
+    EXPECT_EQ(CV_32F, rvec.type());
+    EXPECT_EQ(CV_64F, tvec.type());
+    EXPECT_LT(cv::norm(1e-40 * tvec, cv::Mat(r.tvec)), 1e-9);
+    const cv::Vec3f before(7, 7, 7);
+    cv::Vec3f rf = before, tf = before;
+    expectError(cv::Error::StsOutOfRange, "tvec", [&] { solve(rf, tf); });
+    EXPECT_EQ(before, rf);
+    EXPECT_EQ(before, tf);
+    std::vector<cv::Vec3f> rvecs(1, before), tvecs(1, before);
+    expectError(cv::Error::StsOutOfRange, "tvecs",
+                [&] { cv::gmlpnp::solvePnPGeneric(points, r.scene.imagePoints, r.K, cv::noArray(), rvecs, tvecs); });
+    EXPECT_EQ(before, tvecs[0]);
 }
 
 TEST(Gmlpnp_SolvePnP, guessOfAnyShapeIsHonouredAndAWrongOneRefused)

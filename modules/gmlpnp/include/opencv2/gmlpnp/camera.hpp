@@ -25,8 +25,8 @@ other, to 1e-12 on the image plane of focal length 1.
 
 In what follows (x, y) is that plane: u = fx x + skew y + cx, v = fy y + cy, with the skew K(0, 1); r^2 = x^2 + y^2.
 A camera matrix is 3x3 of any numeric depth. The factories throw cv::Exception: StsAssert (-215) for a wrong shape or
-count, StsBadArg (-5) for a focal length of zero, values that are not finite or parameters out of their range; the
-message names the argument.
+count, StsBadArg (-5) for a focal length of zero (less than 1e-30), values that are not finite (more than 1e30) or
+parameters out of their range; the message names the argument.
 
 A lens of your own: derive from this class and implement unprojectPoint() and projectPoint().
 */
