@@ -75,8 +75,14 @@ bool Terrain::meet(const cv::Vec3d& origin, const cv::Vec3d& direction, cv::Vec3
     double first = 0.0, last = 0.0, step = 0.0;
     if (!steps(origin, d, first, last, step))
         return false;
+    // As many steps as the map is wide and high, and three over its relief; more where the coordinates have no digits
+    // left.
+    const double count = std::ceil((last - first) / step),
+                 most = 3 + (raster_.values.cols + raster_.values.rows) / kCellsPerStep;
+    if (!(count <= most))
+        return false;
     double before = first, height = heightAbove(origin + first * d);
-    for (int i = 1; before < last; ++i) {
+    for (int i = 1; i <= count; ++i) {
         const double s = first + i * step, next = heightAbove(origin + s * d);
         if (height > 0.0 && next <= 0.0) {
             double after = s;

@@ -129,6 +129,8 @@ TEST(Terrain, LongRaysAndStrangeCellsEnd)
     EXPECT_TRUE(Terrain(raster).meet({1e-10, -1e-10, 1e3}, {1e-13, 0.0, -1.0}, ground));
     raster.geo.mapFromPixel = cv::Matx23d(1e12, 0.0, 0.0, 0.0, -1e-12, 0.0);  // and far from square
     EXPECT_TRUE(Terrain(raster).meet({1e13, -1e-10, 1e3}, {1e-3, 0.0, -1.0}, ground));
+    raster.geo.mapFromPixel = cv::Matx23d(1e-300, 0.0, 0.0, 0.0, 1e-3, 0.0);  // a step is nothing
+    EXPECT_FALSE(Terrain(raster).meet({1e-298, 0.1, 1e3}, {1e-3, 0.0, -1.0}, ground));
     raster.geo.mapFromPixel = cv::Matx23d(10.0, 20.0, 0.0, 10.0, 20.0, 0.0);  // on a line
     EXPECT_THROW(Terrain{raster}, std::runtime_error);
 }

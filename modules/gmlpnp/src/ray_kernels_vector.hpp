@@ -14,9 +14,9 @@ namespace {
 template <int COUNT>
 struct Vector
 {
-    typedef double Doubles __attribute__((vector_size(8 * COUNT)));
-    typedef long long Integers __attribute__((vector_size(8 * COUNT)));
-    typedef unsigned long long Words __attribute__((vector_size(8 * COUNT)));
+    using Doubles __attribute__((vector_size(8 * COUNT))) = double;
+    using Integers __attribute__((vector_size(8 * COUNT))) = long long;
+    using Words __attribute__((vector_size(8 * COUNT))) = unsigned long long;
 };
 
 template <int N>
