@@ -94,9 +94,12 @@ Dataset opened(const std::string& path)
         fail(path, "cannot be opened as a raster");
     if (dataset->GetRasterCount() == 0)
         fail(path, "no bands");
-    // A damaged header names any size, and memory would be taken for it.
-    constexpr double MANY = 1e8, PIXELS_PER_BYTE = 5000;  // as much as blank pixels are compressed
-    const double pixels = static_cast<double>(dataset->GetRasterXSize()) * dataset->GetRasterYSize();
+    // A damaged header names any size, of the picture or of its blocks, and memory would be taken for it.
+    int width = 0, height = 0;
+    dataset->GetRasterBand(1)->GetBlockSize(&width, &height);
+    const double pixels = std::max(static_cast<double>(width) * height,
+                                   static_cast<double>(dataset->GetRasterXSize()) * dataset->GetRasterYSize());
+    constexpr double MANY = 1e7, PIXELS_PER_BYTE = 5000;  // as much as blank pixels are compressed
     if (pixels > MANY && pixels > PIXELS_PER_BYTE * static_cast<double>(bytesOf(*dataset)))
         fail(path, "names more pixels than it can hold");
     return dataset;
