@@ -208,6 +208,9 @@ std::string mapSystem(const std::string& wanted, const std::string& dem)
     }
     const cv::Size size(dataset->GetRasterXSize(), dataset->GetRasterYSize());
     const cv::Point2d middle = geoTransformOf(*dataset, dem).map({0.5 * size.width, 0.5 * size.height});
+    constexpr double TURN = 360.0;
+    if (!(std::abs(middle.x) <= TURN && std::abs(middle.y) <= TURN))
+        fail(dem, "its middle is no place in degrees");
     const int zone = std::clamp(static_cast<int>(std::floor((middle.x + 180.0) / 6.0)) + 1, 1, 60);
     OGRSpatialReference utm;
     if (utm.importFromEPSG((middle.y >= 0.0 ? 32600 : 32700) + zone) != OGRERR_NONE)

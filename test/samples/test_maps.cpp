@@ -194,6 +194,9 @@ TEST(Raster, InDegreesIsWarpedIntoUtm)
     EXPECT_NEAR(terrain.elevation({290515.84, 2728880.22}), 60.0, 1.5);
     EXPECT_NEAR(terrain.elevation({294564.96, 2728819.75}), 140.0, 1.5);
     EXPECT_TRUE(std::isnan(terrain.elevation({120.95, 24.66})));
+    ramp.geo.mapFromPixel(0, 2) = -6.6e180;
+    writeOrthophoto(path, ramp, "EPSG:4326");
+    EXPECT_THROW(mapSystem("", path), std::runtime_error);
 }
 
 // A sparse file may have any size; what a header says is no reason to take the memory for it.
