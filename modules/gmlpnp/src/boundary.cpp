@@ -61,9 +61,12 @@ Mat toMat(const Eigen::MatrixBase<Derived>& M)
 bool positiveSemidefinite(const Matrix3d& given)
 {
     constexpr double ROUNDING = 1e-6;  // relative; covariances often come in single precision
+    constexpr double LARGEST = 1e60;   // that of the pose needs room
     const double largest = given.cwiseAbs().maxCoeff();
-    if (!given.allFinite() || largest == 0)
-        return given.allFinite();
+    if (!given.allFinite() || largest > LARGEST)
+        return false;
+    if (largest == 0)
+        return true;
     const Matrix3d M = given / largest;  // norms of very large or small entries would leave the range of doubles
     return (M - M.transpose()).norm() <= ROUNDING &&
            Eigen3d(symmetrised(M), Eigen::EigenvaluesOnly).eigenvalues()(0) >= -ROUNDING;
@@ -81,7 +84,7 @@ KnownNoise knownNoise(const Mat& given, const char* name)
     const Mat_<double> matrix = matrixFrom(given, 3, 3, name);
     const Matrix3d M = toEigen(matrix[0]);
     if (!positiveSemidefinite(M))
-        CV_Error(Error::StsBadArg, format("%s must be symmetric positive semidefinite", name));
+        CV_Error(Error::StsBadArg, format("%s must be symmetric positive semidefinite and at most 1e60", name));
     return symmetrised(M);
 }
 
@@ -102,7 +105,8 @@ Mat_<double> covarianceRows(const Mat& given, int rows, std::initializer_list<in
 void checkCovariance(const Matrix3d& C, const char* name, int point)
 {
     if (!positiveSemidefinite(C))
-        CV_Error(Error::StsBadArg, format("%s: point %d is not symmetric positive semidefinite", name, point));
+        CV_Error(Error::StsBadArg,
+                 format("%s: point %d is not symmetric positive semidefinite and at most 1e60", name, point));
 }
 
 Mat_<double> knownObject(const Params& params, int rows)

@@ -340,6 +340,8 @@ TEST(Gmlpnp_Solve, misuseThrowsAndNamesTheArgument)
     params = Params();
     params.bearingNoise = (cv::Mat_<double>(3, 3) << 1, 0, 0, 0.5, 1, 0, 0, 0, 1);  // not symmetric
     EXPECT_NE(cv::String::npos, message(params).find("bearingNoise"));
+    params.bearingNoise = 1e61 * cv::Mat::eye(3, 3, CV_64F);  // the covariance of the pose would have no numbers
+    EXPECT_NE(cv::String::npos, message(params).find("bearingNoise"));
     Result result;
     params = Params();
     params.objectNoise = cv::Mat::eye(2, 2, CV_64F);

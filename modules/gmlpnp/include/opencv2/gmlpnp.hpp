@@ -79,8 +79,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW bool useExtrinsicGuess;  //!< start at (rvec, tvec) instead of the global solver (default false)
     CV_PROP_RW Vec3d rvec;              //!< guess: rotation vector, rad, object to camera
     CV_PROP_RW Vec3d tvec;              //!< guess: translation, the caller's length
-    //! Known object noise Sigma, 3x3 positive semidefinite, object frame, length^2 (GMLPnP* of Proposition 1).
-    //! Empty: estimated.
+    //! Known object noise Sigma, 3x3 positive semidefinite (entries up to 1e60, as in all of these), object frame,
+    //! length^2 (GMLPnP* of Proposition 1). Empty: estimated.
     CV_PROP_RW Mat objectNoise;
     //! Known bearing noise Gamma, 3x3 positive semidefinite, camera frame, rad^2, with a lens that at its optical axis:
     //! diag(1, 1, 0) (px / f)^2 are pixels of a pinhole. Empty: estimated by the marginal method, zero in the published
