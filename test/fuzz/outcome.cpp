@@ -24,13 +24,14 @@ bool finite(const cv::Vec3d& v)
     return finite(cv::Mat(v));
 }
 
-void requireCovariance(const cv::Mat& m, int size, const char* promise)
+// A known noise goes back as it came, which may be positive semidefinite to its own rounding only.
+constexpr double OF_KNOWN_NOISE = 1e-6;
+
+void requireCovariance(const cv::Mat& m, int size, const char* promise, double rounding = 0)
 {
     require(m.rows == size && m.cols == size && m.type() == CV_64F && finite(m), promise);
-    // A known noise goes back as it came, which may be positive semidefinite to its own rounding.
-    const double rounding = 1e-6 * cv::norm(m, cv::NORM_INF);
     for (int i = 0; i < size; ++i) {
-        require(m.at<double>(i, i) >= -rounding, promise);
+        require(m.at<double>(i, i) >= -rounding * cv::norm(m, cv::NORM_INF), promise);
         for (int j = 0; j < i; ++j)
             require(std::abs(m.at<double>(i, j) - m.at<double>(j, i)) <=
                         1e-6 * std::sqrt(std::abs(m.at<double>(i, i))) * std::sqrt(std::abs(m.at<double>(j, j))),
@@ -86,8 +87,8 @@ void requireSound(const Result& result)
     require(!(result.tailDof <= 0) && !(result.noiseEvidence < 0), "degrees of freedom and evidence");
     require(result.weights.cols == 1 && finite(result.weights), "weights");
     require(result.usedPoints >= 3 && result.usedPoints <= result.weights.rows, "points that were used");
-    requireCovariance(result.objectNoise, 3, "object noise");
-    requireCovariance(result.bearingNoise, 3, "bearing noise");
+    requireCovariance(result.objectNoise, 3, "object noise", OF_KNOWN_NOISE);
+    requireCovariance(result.bearingNoise, 3, "bearing noise", OF_KNOWN_NOISE);
     if (result.poseCovariance.empty())
         return;
     requireCovariance(result.poseCovariance, 6, "covariance of the pose");

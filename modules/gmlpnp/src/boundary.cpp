@@ -58,10 +58,11 @@ Mat toMat(const Eigen::MatrixBase<Derived>& M)
     return std::move(out);
 }
 
-bool positiveSemidefinite(const Matrix3d& given)
+// Symmetric positive semidefinite, and of a size that leaves the pose's covariance in the range of doubles.
+bool isCovariance(const Matrix3d& given)
 {
     constexpr double ROUNDING = 1e-6;  // relative; covariances often come in single precision
-    constexpr double LARGEST = 1e60;   // that of the pose needs room
+    constexpr double LARGEST = 1e60;
     const double largest = given.cwiseAbs().maxCoeff();
     if (!given.allFinite() || largest > LARGEST)
         return false;
@@ -83,7 +84,7 @@ KnownNoise knownNoise(const Mat& given, const char* name)
         return std::nullopt;
     const Mat_<double> matrix = matrixFrom(given, 3, 3, name);
     const Matrix3d M = toEigen(matrix[0]);
-    if (!positiveSemidefinite(M))
+    if (!isCovariance(M))
         CV_Error(Error::StsBadArg, format("%s must be symmetric positive semidefinite and at most 1e60", name));
     return symmetrised(M);
 }
@@ -104,7 +105,7 @@ Mat_<double> covarianceRows(const Mat& given, int rows, std::initializer_list<in
 
 void checkCovariance(const Matrix3d& C, const char* name, int point)
 {
-    if (!positiveSemidefinite(C))
+    if (!isCovariance(C))
         CV_Error(Error::StsBadArg,
                  format("%s: point %d is not symmetric positive semidefinite and at most 1e60", name, point));
 }

@@ -13,6 +13,7 @@ namespace detail {
 namespace {
 
 const int kMaxDegree = 8;
+const double kLargestParameter = 1e30;
 const double kLargestRoot = 1e12;  // squared radius on the image plane: within 1e-6 rad of a right angle
 
 bool changesSign(const double* c, int degree)
@@ -69,17 +70,11 @@ double firstPositiveRoot(const double* c, int degree)
     return positiveRoots(c, degree, roots) > 0 ? roots[0] : std::numeric_limits<double>::infinity();
 }
 
-namespace {
-
-const double kLargestParameter = 1e30;
-
-}  // namespace
-
 Intrinsics intrinsicsFrom(InputArray cameraMatrix)
 {
     const Mat_<double> K = matrixFrom(cameraMatrix, 3, 3, "K (cameraMatrix)");
     if (!checkRange(K, true, nullptr, -kLargestParameter, kLargestParameter))
-        CV_Error(Error::StsBadArg, "'K' (cameraMatrix) must be finite");
+        CV_Error(Error::StsBadArg, "'K' (cameraMatrix) must be finite and at most 1e30");
     if (!(std::abs(K(0, 0)) * kLargestParameter > 1 && std::abs(K(1, 1)) * kLargestParameter > 1))
         CV_Error(Error::StsBadArg, "'K' (cameraMatrix) has a focal length of zero");
     return {K(0, 0), K(1, 1), K(0, 1), K(0, 2), K(1, 2)};
@@ -108,7 +103,7 @@ std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<
     std::copy(dense.ptr<double>(), dense.ptr<double>() + n, D.begin());
     for (const double d : D)
         if (!(std::abs(d) < kLargestParameter))
-            CV_Error(Error::StsBadArg, "'D' (distCoeffs) must be finite");
+            CV_Error(Error::StsBadArg, "'D' (distCoeffs) must be finite and at most 1e30");
     return D;
 }
 

@@ -190,20 +190,24 @@ Line lineAt(const String& text, size_t begin)
     return {begin, std::min(text.find_first_not_of(' ', begin), end), end};
 }
 
+// From this line on the first that is not empty; the last line where there is none.
+Line notEmpty(const String& text, Line line)
+{
+    while (line.end < text.size() && line.isEmpty(text))
+        line = lineAt(text, line.end + 1);
+    return line;
+}
+
 // Where the first document starts: below comments and directives, behind the mark.
 Line firstContent(const String& text)
 {
-    Line line = lineAt(text, 0);
-    const auto skip = [&](bool directives) {
-        while (line.end < text.size() && (line.isEmpty(text) || (directives && text[line.content] == '%')))
-            line = lineAt(text, line.end + 1);
-    };
-    skip(true);
-    if (line.startsWith(text, "---")) {
-        line.content = std::min(text.find_first_not_of(' ', line.content + 3), line.end);
-        skip(false);
-    }
-    return line;
+    Line line = notEmpty(text, lineAt(text, 0));
+    while (line.end < text.size() && text[line.content] == '%')
+        line = notEmpty(text, lineAt(text, line.end + 1));
+    if (!line.startsWith(text, "---"))
+        return line;
+    line.content = std::min(text.find_first_not_of(' ', line.content + 3), line.end);
+    return notEmpty(text, line);
 }
 
 // The first document alone, which must be a mapping of lines that stay inside of it: OpenCV 4.6 looks for the next
@@ -229,13 +233,10 @@ void keepFirstMapping(String& text)
 String plainYaml(String text)
 {
     std::replace(text.begin(), text.end(), '\t', ' ');
-    size_t start = text.find_first_not_of(" \r\n");
-    while (start != String::npos && text[start] == '#')
-        start = text.find_first_not_of(" \r\n", std::min(text.find('\n', start), text.size()));
-    if (start == String::npos)
+    const Line first = notEmpty(text, lineAt(text, 0));
+    if (first.isEmpty(text))
         parseError("holds nothing");
-    const size_t newline = text.rfind('\n', start);
-    text.erase(0, newline == String::npos ? 0 : newline + 1);  // the indentation of the first line counts
+    text.erase(0, first.begin);  // the indentation of the first line counts
     if (text[0] != '%')
         text.insert(0, text.compare(0, 3, "---") == 0 ? "%YAML:1.0\n" : "%YAML:1.0\n---\n");
     keepFirstMapping(text);

@@ -57,7 +57,7 @@ public:
     CV_EXPORTS Pose fromObject(const Pose& pose) const;
 
     Vector3d centre;
-    double scale;  //!< root mean square distance of the points from their centre, the caller's length
+    double scale = 0;  //!< root mean square distance of the points from their centre, the caller's length
 
 private:
     Correspondences() = default;

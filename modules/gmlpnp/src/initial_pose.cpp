@@ -130,9 +130,7 @@ PoseCandidate descend(const RotationCost& cost, Matrix3d R)
 
 bool inFront(const Correspondences& data, const Pose& pose)
 {
-    double at[12]{};
-    writePose(pose, at);
-    return 2 * rayKernels(data.size()).behind(data.arrays(), at) < data.size();
+    return 2 * rayKernels(data.size()).behind(data.arrays(), entriesOf(pose).data()) < data.size();
 }
 
 // Two rotations are one minimum when closer than this [rad].

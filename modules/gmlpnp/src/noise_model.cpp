@@ -93,9 +93,7 @@ struct Residuals
 Residuals residualsAt(const Correspondences& data, const Pose& pose)
 {
     Residuals out{Eigen::ArrayXd(data.size()), Eigen::ArrayXd(data.size())};
-    double at[12]{};
-    writePose(pose, at);
-    rayKernels(data.size()).residuals(data.arrays(), at, out.x.data(), out.y.data());
+    rayKernels(data.size()).residuals(data.arrays(), entriesOf(pose).data(), out.x.data(), out.y.data());
     out.x = out.x.max(NOISE_FLOOR);
     out.y += NOISE_FLOOR * NOISE_FLOOR;
     return out;

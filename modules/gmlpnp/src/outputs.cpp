@@ -35,7 +35,7 @@ Outputs::~Outputs()
             entry.out->create(entry.before, 1, entry.out->type());  // shorter: no memory needed
 }
 
-void Outputs::reserve(const Mat& value, OutputArray out)
+void Outputs::reserve(const Mat& value, const _OutputArray& out)
 {
     const int before = out.kind() == _InputArray::STD_VECTOR ? static_cast<int>(out.total()) : 0;
     entries.push_back({&out, value, {}, before});
@@ -85,7 +85,7 @@ void Outputs::add(const Vec3d& value, OutputArray out, const char* name)
     add(column, out, name);
 }
 
-void Outputs::add(const std::vector<Vec3d>& values, OutputArrayOfArrays out, const char* name)
+void Outputs::add(const std::vector<Vec3d>& values, const _OutputArray& out, const char* name)
 {
     const int n = static_cast<int>(values.size()), depth = out.fixedType() ? out.depth() : CV_64F;
     for (const Vec3d& value : values)

@@ -25,10 +25,12 @@ public:
     /** A matrix of one channel. Arrays of fixed type get it in their depth and channels; StsAssert, with `name` in the
     message, where its rows are no elements of theirs. */
     void add(const Mat& value, OutputArray out, const char* name);
-    /** 3x1, in the depth of the array that was passed, as cv::solvePnP does it. */
+    /** 3x1, in the depth of the array that was passed, as cv::solvePnP does it. What a float cannot hold becomes
+    CV_64F; StsOutOfRange where the type is fixed. */
     void add(const Vec3d& value, OutputArray out, const char* name);
-    /** A list of them: of matrices (3x1, CV_64F), or of the fixed type that was passed (Vec3d, Vec3f, Point3d...). */
-    void add(const std::vector<Vec3d>& values, OutputArrayOfArrays out, const char* name);
+    /** A list of them: of matrices (3x1, CV_64F), or of the fixed type that was passed (Vec3d, Vec3f, Point3d...);
+    StsOutOfRange where that is float and cannot hold them. */
+    void add(const std::vector<Vec3d>& values, const _OutputArray& out, const char* name);
 
     void write();
 
@@ -42,7 +44,7 @@ private:
     };
     std::vector<Entry> entries;
 
-    void reserve(const Mat& value, OutputArray out);
+    void reserve(const Mat& value, const _OutputArray& out);
 };
 
 }  // namespace detail

@@ -52,13 +52,13 @@ Score ScoredPoints::sumUntil(const Pose& pose, int count, double best) const
     constexpr int GROUP = 64;  // points between two looks
     const ScoredArrays data = arrays();
     const double mean = std::min(1., best / count);
-    double at[12], cost = 0, inliers = 0;
-    writePose(pose, at);
+    const std::array<double, 12> at = entriesOf(pose);
+    double cost = 0, inliers = 0;
     for (int first = 0; first < count; first += GROUP) {
         if (first > 0 && (cost >= best || hopeless(cost, first, mean)))
             return {std::numeric_limits<double>::infinity(), 0};
         TruncatedSums sums;
-        kernels_.truncated(data, at, first, std::min(first + GROUP, count), sums);
+        kernels_.truncated(data, at.data(), first, std::min(first + GROUP, count), sums);
         cost += sums.cost;
         inliers += sums.inliers;
     }
@@ -77,10 +77,8 @@ Score ScoredPoints::scoreAgainst(const Pose& pose, double best) const
 
 std::vector<bool> ScoredPoints::inliers(const Pose& pose) const
 {
-    double at[12];
-    writePose(pose, at);
     std::vector<double> isInlier(size());
-    kernels_.inliers(arrays(), at, isInlier.data());
+    kernels_.inliers(arrays(), entriesOf(pose).data(), isInlier.data());
     std::vector<bool> found(size());
     for (int row = 0; row < size(); ++row)
         found[order_[row]] = isInlier[row] > 0;
@@ -89,10 +87,8 @@ std::vector<bool> ScoredPoints::inliers(const Pose& pose) const
 
 bool ScoredPoints::step(Pose& pose, double width, int count) const
 {
-    double at[12];
-    writePose(pose, at);
     StepSums sums;
-    kernels_.robustStep(arrays(), at, width, std::min(size(), count), sums);
+    kernels_.robustStep(arrays(), entriesOf(pose).data(), width, std::min(size(), count), sums);
     const UnitDiagonal scaled(symmetric6(sums.H));
     const Eigen::LDLT<Matrix6d> ldlt(scaled.matrix);
     constexpr double SINGULAR = 1e-12;

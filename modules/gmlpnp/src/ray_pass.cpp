@@ -124,10 +124,12 @@ Matrix6d symmetric6(const double (&entries)[21])
     return S;
 }
 
-void writePose(const Pose& pose, double (&out)[12])
+std::array<double, 12> entriesOf(const Pose& pose)
 {
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{out} = pose.R;
-    Eigen::Map<Vector3d>{out + 9} = pose.t;
+    std::array<double, 12> out{};
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{out.data()} = pose.R;
+    Eigen::Map<Vector3d>{out.data() + 9} = pose.t;
+    return out;
 }
 
 namespace {
@@ -135,7 +137,8 @@ namespace {
 PassInput passInput(const Pose& pose, const Noise& noise)
 {
     PassInput input{};
-    writePose(pose, input.pose);
+    const std::array<double, 12> at = entriesOf(pose);
+    std::copy(at.begin(), at.end(), input.pose);
     writeSymmetric(pose.R * noise.Sigma * pose.R.transpose(), input.S_o);
     writeSymmetric(noise.Gamma, input.Gamma);
     input.tail = noise.tail;

@@ -83,7 +83,7 @@ CV_EXPORTS const std::vector<const RayKernels*>& availableKernels();
 CV_EXPORTS const RayKernels& rayKernels(int points);
 
 /** R by rows, t: as the kernels take a pose. */
-void writePose(const Pose& pose, double (&out)[12]);
+std::array<double, 12> entriesOf(const Pose& pose);
 
 /** From its upper triangle by rows, as the kernels return it. */
 Matrix6d symmetric6(const double (&entries)[21]);
