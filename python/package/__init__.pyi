@@ -117,6 +117,7 @@ class Result:
     objectNoiseRank: int
     noiseModel: int
     noiseEvidence: float
+    tailShare: float
     tailDof: float
     weights: Optional[_Float64]
     usedPoints: int

@@ -73,8 +73,8 @@ void addParams(py::module_& m)
         .add("tolerance", &Params::tolerance,
              "Change of the cost [nat] below which a round is the last; 0: run all rounds.")
         .add("robust", &Params::robust,
-             "Student-t tails where the residuals ask for them (default True): wrong matches that look right then "
-             "weigh little. Marginal method only.")
+             "Heavy tails where the residuals ask for them (default True): points that are far noisier than most, and "
+             "wrong matches that look right, then weigh little. Marginal method only.")
         .add("useExtrinsicGuess", &Params::useExtrinsicGuess,
              "Start at (rvec, tvec) instead of the global solver (default False).")
         .add("rvec", &Params::rvec, "Guess: rotation vector, (3, 1), rad, object to camera.")
@@ -147,11 +147,13 @@ void addResult(py::module_& m)
             "noiseEvidence", &Result::noiseEvidence,
             "By how much the likelihood prefers noiseModel to the next best, nat; inf where there was no choice. Below "
             "about 3 the data cannot tell, and poseCovariance holds the spread of the explanations.")
+        .add(
+            "tailShare", &Result::tailShare,
+            "Share of the points whose noise is wider than objectNoise and bearingNoise say: for them 6.25 times these "
+            "are the scale matrices of a Student-t of 2 degrees of freedom. 0: Gaussian noise.")
         .add("tailDof", &Result::tailDof,
-             "Degrees of freedom of the Student-t whose scale matrices objectNoise and bearingNoise are; inf: "
-             "Gaussian, and they are covariances.")
-        .add("weights", &Result::weights,
-             "(N, 1) weight of each point, about 1 on average; 0 for pixels without a ray.")
+             "Degrees of freedom of the one Student-t that is nearest to this mixture; inf: Gaussian.")
+        .add("weights", &Result::weights, "(N, 1) weight of each point, at most 1; 0 for pixels without a ray.")
         .add("usedPoints", &Result::usedPoints, "Points that had a ray.");
     fields.finish().def("__repr__", [names = without("status", fields.names())](const py::object& self) {
         const int status = self.attr("status").cast<int>();

@@ -108,9 +108,11 @@ class Solve(PoseTestCase):
         self.assertTrue(retval)
         self.assertEqual(result.weights.shape, (100, 1))
         self.assertLess(result.weights[:5].max(), 0.2)
+        self.assertGreater(result.tailShare, 0.02)
         self.assertTrue(math.isfinite(result.tailDof))
         _, gaussian = gmlpnp.solve(points, pixels, K, None, gmlpnp.Params(robust=False))
         self.assertEqual(gaussian.tailDof, math.inf)
+        self.assertEqual(gaussian.tailShare, 0)
 
     def test_params_reach_the_solver(self):
         points, pixels = noisy_scene()

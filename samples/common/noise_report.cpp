@@ -99,9 +99,10 @@ void printNoise(std::ostream& out, const cv::gmlpnp::Result& result, const Lengt
     printCovariance(out, cv::Matx33d(result.bearingNoise) * 1e6, [&](double deviation) {
         return cv::format("%9.4f mrad = %.3f px", deviation, 1e-3 * deviation * focalLength);
     });
-    if (std::isfinite(result.tailDof))
-        out << "  Tails: Student-t of " << fixed(result.tailDof, 1)
-            << " degrees of freedom; Sigma and Gamma are its scale matrices, its deviations are larger\n";
+    if (result.tailShare > 0)
+        out << "  Tails: " << fixed(100 * result.tailShare, 0)
+            << " % of the points are noisier than that (about a Student-t of " << fixed(result.tailDof, 1)
+            << " degrees of freedom)\n";
     printShares(out, result, unit, meanDepth);
     printPoseDeviations(out, result, unit);
 }

@@ -58,10 +58,20 @@ cv::Vec3d objectResidual(const cv::Vec3d& X, const cv::Vec3d& ray, const cv::Mat
 
 }  // namespace
 
-double squaredRadiusOf95Percent(double degreesOfFreedom)
+double squaredRadiusOf95Percent(double tailShare)
 {
-    const double logarithm = -2.0 * std::log(0.05);
-    return std::isinf(degreesOfFreedom) ? logarithm : degreesOfFreedom * std::expm1(logarithm / degreesOfFreedom);
+    // Outside: e^(-r2/2) of the normal points, 1 / (1 + r2 / (2 * 6.25)) of the others (Result::tailShare).
+    const auto outside = [&](double r2) {
+        return (1.0 - tailShare) * std::exp(-r2 / 2.0) + tailShare / (1.0 + r2 / 12.5);
+    };
+    double low = -2.0 * std::log(0.05), high = 12.5 / 0.05;
+    if (outside(low) <= 0.05)
+        return low;
+    for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2.0;
+        (outside(middle) > 0.05 ? low : high) = middle;
+    }
+    return high;
 }
 
 std::vector<Residual> residualsOf(const cv::gmlpnp::CameraModel& camera, const CorrespondenceSet& set,
@@ -69,7 +79,7 @@ std::vector<Residual> residualsOf(const cv::gmlpnp::CameraModel& camera, const C
 {
     const Pose pose = poseFromRotationVector(result.rvec, result.tvec);
     const cv::Matx33d Sigma(result.objectNoise), Gamma(result.bearingNoise);
-    const double reach = squaredRadiusOf95Percent(result.tailDof);
+    const double reach = squaredRadiusOf95Percent(result.tailShare);
     std::vector<Residual> residuals;
     for (size_t i = 0; i < set.objectPoints.size(); ++i) {
         const cv::Vec3d X = pose * cv::Vec3d(set.objectPoints[i]);

@@ -18,7 +18,7 @@ struct Residual
 {
     cv::Point2d observed;          //!< px
     cv::Vec2d pixels;              //!< observed minus predicted, px
-    cv::Matx22d pixelCovariance;   //!< of the predicted pixel, px^2; under Student-t tails its scale matrix
+    cv::Matx22d pixelCovariance;   //!< of the predicted pixel, px^2; with tails that of most points
     double depth;                  //!< along the ray, length
     cv::Vec3d object;              //!< camera frame, length: from the likeliest point on the ray to the object point
     cv::Matx33d objectCovariance;  //!< S = R Sigma R^T + depth^2 Gamma, camera frame, length^2
@@ -26,9 +26,9 @@ struct Residual
     bool inside;                   //!< the observed pixel is inside the 95 % ellipse of the predicted one
 };
 
-/** Squared radius of the ellipse that holds 95 % of a Student-t distribution in two dimensions; infinite degrees of
-freedom are the normal distribution. */
-double squaredRadiusOf95Percent(double degreesOfFreedom);
+/** Squared radius, in two dimensions, of the ellipse that holds 95 % where a share of the points has the wider noise of
+cv::gmlpnp::Result::tailShare; of the normal distribution for none. */
+double squaredRadiusOf95Percent(double tailShare);
 
 /** The residuals of all points that the camera sees from the estimated pose. */
 std::vector<Residual> residualsOf(const cv::gmlpnp::CameraModel& camera, const CorrespondenceSet& set,

@@ -13,6 +13,7 @@
 #include "../../modules/gmlpnp/src/ray_kernels.simd.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -67,9 +68,34 @@ Counting operator+(double a, Counting b)
     return Counting{a} + b;
 }
 
+Counting operator+(Counting a, double b)
+{
+    return a + Counting{b};
+}
+
+Counting operator-(Counting a, double b)
+{
+    return a - Counting{b};
+}
+
 Counting operator*(double a, Counting b)
 {
     return Counting{a} * b;
+}
+
+Counting operator*(Counting a, double b)
+{
+    return a * Counting{b};
+}
+
+bool operator>(Counting a, double b)
+{
+    return a.value > b;
+}
+
+void operator*=(Counting& a, Counting b)
+{
+    a = a * b;
 }
 
 void operator+=(Counting& a, Counting b)
@@ -86,6 +112,11 @@ struct Lanes<Counting>
     static Counting spread(double x) { return {x}; }
     static double sum(Counting x) { return x.value; }
     static double product(Counting x) { return x.value; }
+    static Counting squareRoot(Counting x)
+    {
+        ++operations;
+        return {std::sqrt(x.value)};
+    }
     static Bits sumBits(Bits b) { return b; }
     static Bits bits(Counting x) { return Lanes<double>::bits(x.value); }
     static Counting number(Bits b) { return {Lanes<double>::number(b)}; }
@@ -126,7 +157,7 @@ PassInput inputOf(const Loop& loop)
         in.S_o[k] = 0.01;
         in.Gamma[k] = loop.bearing ? 1e-5 : 0;
     }
-    in.tail = loop.tails ? 0.1 : 0;
+    in.tails.share = loop.tails ? 0.1 : 0;
     in.lever = 1;
     in.products = loop.products;
     return in;

@@ -60,7 +60,7 @@ Result untouchedResult()
                        &result.objectNoise, &result.bearingNoise, &result.weights})
         *m = cv::Mat(1, 1, CV_64F, cv::Scalar(-7));
     result.objectNoiseRank = result.noiseModel = result.usedPoints = -7;
-    result.noiseEvidence = result.tailDof = -7;
+    result.noiseEvidence = result.tailShare = result.tailDof = -7;
     return result;
 }
 
@@ -73,7 +73,7 @@ bool untouched(const Result& result)
     const cv::Vec3d mark = cv::Vec3d::all(-7);
     return result.rounds == -7 && result.cost == -7 && result.rvec == mark && result.tvec == mark &&
            result.cameraCenter == mark && result.objectNoiseRank == -7 && result.noiseModel == -7 &&
-           result.usedPoints == -7 && result.noiseEvidence == -7 && result.tailDof == -7;
+           result.usedPoints == -7 && result.noiseEvidence == -7 && result.tailShare == -7 && result.tailDof == -7;
 }
 
 void requireSound(const Result& result)

@@ -6,6 +6,7 @@
 
 #include "src/noise_estimate.hpp"
 #include "src/pose_covariance.hpp"
+#include "src/tails.hpp"
 #include "trials.hpp"
 
 namespace reliability {
@@ -54,12 +55,13 @@ double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind,
 {
     constexpr int ROUNDS = 100;  // MM moves L by less than a hundredth of a nat then
     std::vector<double> c(data.size());
-    Noise noise{start.a * Matrix3d::Identity(), start.b * Matrix3d::Identity(), 0};
+    TailSearch tails(false, data.size());
+    Noise noise{start.a * Matrix3d::Identity(), start.b * Matrix3d::Identity(), {}};
     for (int k = 0; k < ROUNDS; ++k) {
         const RaySums sums = rayPass(data, pose, noise, {LeverArm::CORRECTED, NO_PRODUCTS, c.data()});
-        const double tail = k > 0 ? updatedTail(noise.tail, false, c.data(), sums, data.size()) : 0;
         noise = updatedNoise(kind, noise, sums, pose.R, data.size());
-        noise.tail = tail;
+        if (k > 0)
+            tails.update(noise, c.data(), sums);
     }
     return rayPass(data, pose, noise).L;
 }
@@ -67,7 +69,7 @@ double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind,
 // What speaks against a minimum of isotropic noise, and nothing but the minimum decides; infinite where it is no pose.
 double costOf(const Correspondences& data, const Pose& minimum)
 {
-    const Noise unit{Matrix3d::Identity(), Matrix3d::Zero(), 0};
+    const Noise unit{Matrix3d::Identity(), Matrix3d::Zero(), {}};
     const RaySums sums = rayPass(data, minimum, unit);
     if (!minimum.t.allFinite() || !determined(sums.H) || 2 * sums.inFront <= data.size())
         return std::numeric_limits<double>::infinity();

@@ -106,9 +106,19 @@ TEST(Residuals, NinetyFivePercentOfThemAreInsideForTheTrueNoise)
 
 TEST(Residuals, EllipsesOfTails)
 {
-    EXPECT_NEAR(squaredRadiusOf95Percent(std::numeric_limits<double>::infinity()), 5.991464547107979, 1e-12);
-    EXPECT_NEAR(squaredRadiusOf95Percent(1e9), 5.991464547107979, 1e-6);
-    EXPECT_NEAR(squaredRadiusOf95Percent(4.0), 2.0 * 6.944272, 1e-5);  // twice the F distribution's, 2 and 4
+    EXPECT_NEAR(squaredRadiusOf95Percent(0.0), 5.991464547107979, 1e-12);
+    EXPECT_NEAR(squaredRadiusOf95Percent(1e-9), 5.991464547107979, 1e-6);
+    EXPECT_NEAR(squaredRadiusOf95Percent(1.0), 6.25 * 2.0 * 19.0, 1e-9);  // twice the F distribution's, 2 and 2
+
+    cv::RNG random(1);
+    const double reach = squaredRadiusOf95Percent(0.2);
+    int inside = 0;
+    for (int k = 0; k < 40000; ++k) {
+        const double normal = -2.0 * std::log(random.uniform(0.0, 1.0));
+        const double studentT = 12.5 * (1.0 / random.uniform(0.0, 1.0) - 1.0);
+        inside += (random.uniform(0.0, 1.0) < 0.2 ? studentT : normal) < reach;
+    }
+    EXPECT_NEAR(inside / 40000.0, 0.95, 4.0 * std::sqrt(0.95 * 0.05 / 40000.0));
 }
 
 TEST(Residuals, OfAnyCamera)

@@ -6,6 +6,7 @@
 
 #include "alternation.hpp"
 #include "cholesky.hpp"
+#include "tails.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -54,22 +55,15 @@ double promised(const Estimate& now, const Noise& next, const Vector6d& xi)
     return byPose + 0.25 * std::abs(slope);
 }
 
-bool sameTail(double a, double b, int n, double tolerance)
-{
-    constexpr double SAME = 0.1;  // relative: moves L and the pose less than the tolerance does
-    const double step = std::abs(a - b);
-    return step <= SAME * std::max(a, b) || 2 * n * step * step < tolerance;  // information about 1/nu: at most 4 n
-}
-
 bool settled(const Estimate& now, const Estimate& next, double promise, double tolerance, int n)
 {
     if (now.kind == NoiseKind::PUBLISHED)
         return (next.noise.Sigma - now.noise.Sigma).norm() < tolerance * next.noise.Sigma.norm();
     // With a fixed noise Gauss-Newton converges fast: a tighter end costs a round and gives the minimum itself.
     constexpr double FIXED_TOLERANCE = 1e-6;  // nat
-    const bool fixed = isConstant(now.kind) && next.noise.tail == 0;
+    const bool fixed = isConstant(now.kind) && next.noise.tails.share == 0;
     return promise < (fixed ? std::min(tolerance, FIXED_TOLERANCE) : tolerance) &&
-           sameTail(now.noise.tail, next.noise.tail, n, tolerance);
+           sameTails(now.noise.tails, next.noise.tails, n, tolerance);
 }
 
 // From this many points on a pass costs more than the larger system of Fisher scoring. The first round is MM's, which
@@ -126,7 +120,7 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
 {
     const int n = data.size();
     const bool isotropicStart = isIsotropic(noise);
-    const bool scaleKnown = data.hasKnown() || isConstant(kind) || stopping.otherKnown;
+    TailSearch tails(data.hasKnown() || isConstant(kind) || stopping.otherKnown, n);
     std::vector<double> c(stopping.robust ? n : 0);
     PassOptions options{leverArmOf(kind), stopping.near ? productsFor(kind) : NO_PRODUCTS,
                         stopping.robust ? c.data() : nullptr, stopping.sampled};
@@ -153,14 +147,14 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
         if (!stopping.near)
             products = options.products;
         if (stopping.robust && (now.rounds > 0 || !isotropicStart))  // anisotropy looks like tails
-            next.noise.tail = updatedTail(now.noise.tail, scaleKnown, c.data(), now.sums, n);
+            tails.update(next.noise, c.data(), now.sums);
         next.pose = perturbed(now.pose, xi);
         const double promise = promised(now, next.noise, xi);
         next.converged = settled(now, next, promise, (products ? SCORING_AHEAD : 1) * stopping.tolerance, n);
         const bool last = next.converged || next.rounds == stopping.maxRounds;
         if (last && (stopping.near || promise < goodEnough(stopping.last)))
             return next;
-        const bool noiseChanged = !isConstant(kind) || next.noise.tail != now.noise.tail;
+        const bool noiseChanged = !isConstant(kind) || next.noise.tails.share != now.noise.tails.share;
         next.sums = pass(next.pose, next.noise);
         if (scored && ledAstray(now.sums, next.sums, n)) {
             scoring = false;

@@ -29,7 +29,7 @@ struct Stopping
     bool sampled = false;     //!< scoring by a quarter of the points: the estimate then depends a little on their order
     bool otherKnown = false;  //!< the noise that is not estimated is known, not absent
     bool near = false;  //!< the start is near the end: scoring at once, by the products of the first pass; no last pass
-    double tail = 0;    //!< 1/nu at the start; it stays where the tails are not estimated
+    Tails tails{};      //!< at the start; they stay where they are not estimated
 };
 
 /** Change of L [nat] that no longer matters: a tenth of a nat moves the pose by a fraction of its standard deviation.

@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "boundary.hpp"
+#include "tails.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -25,6 +26,7 @@ Result::Result()
       objectNoiseRank(0),
       noiseModel(NOISE_GIVEN),
       noiseEvidence(0),
+      tailShare(0),
       tailDof(std::numeric_limits<double>::infinity()),
       usedPoints(0)
 {}
@@ -309,7 +311,8 @@ Result toResult(const Solution& solution, Status status, const Input& input)
     out.objectNoiseRank = rank(solution.noise.Sigma, NUMERICAL_RANK);
     out.noiseModel = noiseModelOf(solution.kind);
     out.noiseEvidence = solution.evidence;
-    out.tailDof = 1 / solution.noise.tail;
+    out.tailShare = solution.noise.tails.share;
+    out.tailDof = nearestStudentT(solution.noise.tails);
     out.usedPoints = static_cast<int>(input.used.size());
     Mat_<double> weights(input.total, 1, 0.0);
     for (size_t k = 0; k < solution.weights.size(); ++k)

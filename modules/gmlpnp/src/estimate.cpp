@@ -21,7 +21,7 @@ constexpr int MIN_POINTS_COVARIANCE = 6;
 
 Noise isotropic(double a, double b)
 {
-    return {a * Matrix3d::Identity(), b * Matrix3d::Identity(), 0};
+    return {a * Matrix3d::Identity(), b * Matrix3d::Identity(), {}};
 }
 
 // A known noise may be singular, or zero; the determinants must not be.
@@ -34,7 +34,7 @@ Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const
                            const KnownNoise& Gamma, const Stopping& stopping)
 {
     const Noise object = isotropic(splitResiduals(data, start).object.a, 0);
-    return alternate(data, start, {Sigma ? usable(*Sigma) : object.Sigma, Gamma.value_or(object.Gamma), 0},
+    return alternate(data, start, {Sigma ? usable(*Sigma) : object.Sigma, Gamma.value_or(object.Gamma), {}},
                      Sigma ? NoiseKind::FIXED : NoiseKind::ISOTROPIC,
                      {stopping.maxRounds, stopping.tolerance, false, stopping.last});
 }
@@ -187,7 +187,7 @@ Noise inShapeOf(const Estimate& other, double meanDepth2, const IsotropicNoise& 
     const Matrix3d& R = other.pose.R;
     const Matrix3d total = R * other.noise.Sigma * R.transpose() + meanDepth2 * other.noise.Gamma;
     const Matrix3d shape = 3 / total.trace() * total;
-    return {symmetrised(size.a * R.transpose() * shape * R), size.b * shape, other.noise.tail};
+    return {symmetrised(size.a * R.transpose() * shape * R), size.b * shape, other.noise.tails};
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ Estimate estimatePublished(const Correspondences& data, const Pose& start, const
 {
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
-    const Noise noise{Sigma ? usable(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero()), 0};
+    const Noise noise{Sigma ? usable(*Sigma) : Matrix3d::Identity(), Gamma.value_or(Matrix3d::Zero()), {}};
     const NoiseKind kind = Sigma ? NoiseKind::FIXED : NoiseKind::PUBLISHED;
     if (parts.empty())
         return alternate(data, start, noise, kind, stopping);
@@ -212,8 +212,8 @@ Estimate estimateOther(const Correspondences& data, const Pose& start, const Kno
 {
     const IsotropicSplit split = splitResiduals(data, start);
     const Noise both = isotropic(split.both.a, split.both.b), bearing = isotropic(split.bearing.a, 0);
-    const Noise without{Sigma ? usable(*Sigma) : bearing.Sigma, Gamma.value_or(Matrix3d::Zero()), 0};
-    const Noise with{Sigma ? without.Sigma : both.Sigma, Sigma ? both.Gamma : without.Gamma, 0};
+    const Noise without{Sigma ? usable(*Sigma) : bearing.Sigma, Gamma.value_or(Matrix3d::Zero()), {}};
+    const Noise with{Sigma ? without.Sigma : both.Sigma, Sigma ? both.Gamma : without.Gamma, {}};
     const NoiseKind estimated = Sigma ? NoiseKind::BEARING : NoiseKind::OBJECT;
     Stopping fitting = stopping;
     fitting.last = LastSums::COMPARE;
@@ -244,7 +244,7 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
                           const KnownNoise& Gamma, const Stopping& stopping, const Parts& parts)
 {
     if (Sigma && Gamma)
-        return alternate(data, start, {usable(*Sigma), *Gamma, 0}, NoiseKind::FIXED, stopping);
+        return alternate(data, start, {usable(*Sigma), *Gamma, {}}, NoiseKind::FIXED, stopping);
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
     if (Sigma || Gamma)
@@ -260,7 +260,7 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
         const Contender& next = race.contenders[k];
         // A kind starts where the one before it ended.
         Noise noise = isotropic(next.start.a, next.start.b);
-        noise.tail = stopping.tail;
+        noise.tails = stopping.tails;
         if (k > 0)
             noise = inShapeOf(rivals[k - 1].estimate, split.meanDepth2, next.start);
         const Pose& from = k == 0 ? start : rivals[k - 1].estimate.pose;

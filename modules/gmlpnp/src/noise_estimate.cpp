@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 
 #include "noise_estimate.hpp"
+#include "tails.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -16,7 +17,7 @@ Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const 
     const Matrix6d both = curvature(products.both);
     Matrix12d F;
     F << curvature(products.object), both, both, curvature(products.bearing);
-    return tailInformation(noise.tail) * F;
+    return tailInformation(noise.tails).noise * F;
 }
 
 namespace {

@@ -81,10 +81,6 @@ inline bool isConstant(NoiseKind kind)
     return kind == NoiseKind::FIXED || kind == NoiseKind::ISOTROPIC;
 }
 
-/** 1/nu of the Student-t for the squared residuals `c` of n points: its posterior mean, or 0 where a Gaussian does. The
-scale is known where not all of the noise is estimated. `sums` are those of the same pass. */
-CV_EXPORTS double updatedTail(double tail, bool scaleKnown, const double* c, const RaySums& sums, int n);
-
 /** The noise of the next round by Fisher scoring; OBJECT or BEARING, `sums` with the products of that kind. */
 CV_EXPORTS Noise scoredNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R);
 
@@ -93,9 +89,6 @@ Vector6d againstUnits(const Matrix3d& A);
 
 /** sum 1/2 tr(Q E Q E') for all pairs of units, from RaySums::QQ: expected curvature of L. */
 Matrix6d curvature(const Matrix6d& QQ);
-
-/** Share of the Gaussian information that a residual carries about the scale matrix of a Student-t. */
-double tailInformation(double tail);
 
 /** Sigma and Gamma of the next round: the published update, or accelerated MM and shrinkage. */
 CV_EXPORTS Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R, int n);

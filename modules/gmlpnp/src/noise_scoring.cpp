@@ -6,6 +6,7 @@
 
 #include "cholesky.hpp"
 #include "noise_model.hpp"
+#include "tails.hpp"
 
 // Fisher scoring of Sigma or of Gamma (doc/theory.md, section 4): with  dL/dC = (G - Z) / 2  and the expected curvature
 // 1/2 sum tr(Q E Q E')  it converges in 3 or 4 rounds also in directions that the data hardly observe, where MM crawls.
@@ -44,11 +45,6 @@ Matrix6d curvature(const Matrix6d& QQ)
     return F;
 }
 
-double tailInformation(double tail)
-{
-    return (1 + 2 * tail) / (1 + 4 * tail);
-}
-
 namespace {
 
 struct Prior
@@ -78,10 +74,10 @@ Matrix3d moved(const Matrix3d& C, const Matrix3d& step)
     return regular(symmetrised(root * factors.asDiagonal() * root.transpose()), TINY_FLOOR);
 }
 
-Matrix3d scored(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, const Matrix6d& QQ, double tail)
+Matrix3d scored(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, const Matrix6d& QQ, double information)
 {
     const Prior pull = prior(C, SHRINKAGE);
-    const Matrix6d F = tailInformation(tail) * curvature(QQ) + pull.curvature;
+    const Matrix6d F = information * curvature(QQ) + pull.curvature;
     const Vector6d score = 0.5 * againstUnits(Z - G) + pull.score;
     const CholeskyFactor<6> cholesky(F);
     const Vector6d step = cholesky.positiveDefinite() ? cholesky.solve(score) : Vector6d(F.ldlt().solve(score));
@@ -93,11 +89,12 @@ Matrix3d scored(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, const M
 Noise scoredNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, const Matrix3d& R)
 {
     Noise next = noise;
+    const double information = tailInformation(noise.tails).noise;
     if (kind == NoiseKind::BEARING)
-        next.Gamma = scored(noise.Gamma, sums.Zb, sums.Gb, sums.QQ, noise.tail);
+        next.Gamma = scored(noise.Gamma, sums.Zb, sums.Gb, sums.QQ, information);
     else
         next.Sigma = symmetrised(R.transpose() *
-                                 scored(R * noise.Sigma * R.transpose(), sums.Zo, sums.Go, sums.QQ, noise.tail) * R);
+                                 scored(R * noise.Sigma * R.transpose(), sums.Zo, sums.Go, sums.QQ, information) * R);
     return next;
 }
 

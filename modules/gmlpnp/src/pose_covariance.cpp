@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 
 #include "pose_covariance.hpp"
+#include "tails.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -95,7 +96,7 @@ Matrix6d poseCovariance(const Estimate& estimate, double n, double directions)
 {
     const UnitDiagonal H(estimate.sums.H);
     const Matrix6d inverse = H.matrix.ldlt().solve(Matrix6d::Identity());
-    const Matrix6d covariance = smallSample(estimate.kind, n, directions) / tailInformation(estimate.noise.tail) *
+    const Matrix6d covariance = smallSample(estimate.kind, n, directions) / tailInformation(estimate.noise.tails).pose *
                                     (H.scale.asDiagonal() * inverse * H.scale.asDiagonal()) +
                                 estimate.spread;
     return symmetrised(covariance);

@@ -32,13 +32,28 @@ enum Products
     OF_BEARING
 };
 
+/** How the squared residuals c are distributed: density g(c) / (2 pi) over the two coordinates of a residual,
+
+    g(c) = (1 - share) e^(-c/2) + share / spread2 (1 + c / (dof spread2))^-(dof/2 + 1),
+
+a Gaussian for most points and a Student-t for a share of them. Share 0: Gaussian; share 1 and spread2 1: Student-t. */
+struct Tails
+{
+    double share = 0;
+    double spread2 = 6.25;  //!< the scale matrix of the Student-t over the covariance of the Gaussian
+    int dof = 2;            //!< of the Student-t
+};
+
+/** Added to g(c), which otherwise underflows to nothing for a c of 1e150. */
+constexpr double LEAST_DENSITY = 1e-290;
+
 /** A pose and a noise; symmetric matrices as xx xy xz yy yz zz. */
 struct PassInput
 {
     double pose[12];  //!< R by rows, t
     double S_o[6];    //!< R Sigma R^T
     double Gamma[6];  //!< all zero: a shorter loop
-    double tail;      //!< 1/nu; 0: Gaussian, a shorter loop
+    Tails tails;      //!< of share 0: a shorter loop
     double lever;     //!< share of R Sigma R^T z that is taken off the lever arm, 0 or 1
     Products products;
     bool sampled;  //!< products of the first four of every sixteen points only
@@ -59,7 +74,7 @@ struct PassSums
     //! Of `inProducts` points: sum of Q_a Q_b or of s^4 Q_a Q_b, a <= b of xx xy xz yy yz zz.
     double QQ[21]{};
     int inProducts{};
-    ScaledProduct D, tailed;      //!< product of D, of 1 + c / nu
+    ScaledProduct D, tailed;      //!< product of D, of g(c)
     unsigned long long behind{};  //!< points with s < 0
 };
 
@@ -91,10 +106,14 @@ struct LineSums
     ScaledProduct variance;  //!< product of the variances
 };
 
-/** Sums of w = 1 / (1 + c / nu) and of w c over the squared residuals c. */
-struct TailWeights
+/** Tails that are tried at once. */
+constexpr int TRIED_TAILS = 4;
+
+/** Sum of w c over squared residuals c, and the product of g(c). */
+struct TailSums
 {
-    double w{}, wc{};
+    double wc{};
+    ScaledProduct g;
 };
 
 /** What RANSAC scores, in its own order: points, unit rays, and the two rows of each point's Metric. */
@@ -131,9 +150,8 @@ struct RayKernels
     void (*moments)(const PointArrays& data, MomentSums& sums);
     /** Points with s < 0 at a pose, R by rows and then t. */
     int (*behind)(const PointArrays& data, const double* pose);
-    /** For each tail[k] = 1 / nu the product of 1 + tail[k] c over the squared residuals c. */
-    void (*tails)(const double* c, int size, const double* tail, int count, ScaledProduct* products);
-    void (*tailWeights)(const double* c, int size, const double* tail, int count, TailWeights* sums);
+    /** For each of TRIED_TAILS tails over the squared residuals c of a noise that is `factors` times as large. */
+    void (*tails)(const double* c, int size, const Tails* tails, const double* factors, TailSums* sums);
     /** s^2 and 1/2 |m x X|^2 of each point at a pose. */
     void (*residuals)(const PointArrays& data, const double* pose, double* depth2, double* residual2);
     void (*line)(const double* x, const double* y, int size, double a, double b, LineSums& sums);

@@ -354,11 +354,59 @@ GMLPNP_INLINE void addProducts(Products, const Sym3<T>& Q, T s2, InformationAccu
         }
 }
 
+// e^x for x <= 0, to about 3 units in the last place; e^-690 for less than that.
+template <class T>
+GMLPNP_INLINE T exponential(T x)
+{
+    constexpr double LOG2_E = 1.4426950408889634, LN2_HIGH = 0.693147180369123816490, LN2_LOW = 1.90821492927058770e-10;
+    constexpr double ROUNDER = 6755399441055744.;  // 1.5 * 2^52: adding it rounds to an integer, in the lowest bits
+    x = x > -690. ? x : Lanes<T>::spread(-690.);
+    const T rounded = x * LOG2_E + ROUNDER, k = rounded - ROUNDER;
+    const T r = (x - k * LN2_HIGH) - k * LN2_LOW;
+    T series = Lanes<T>::spread(1. / 479001600);  // of Taylor: |r| <= ln 2 / 2
+    constexpr double TERMS[] = {1. / 39916800, 1. / 3628800, 1. / 362880, 1. / 40320, 1. / 5040, 1. / 720,
+                                1. / 120,      1. / 24,      1. / 6,      0.5,        1.,        1.};
+    for (double term : TERMS)
+        series = series * r + term;
+    return Lanes<T>::number(Lanes<T>::bits(series) + (Lanes<T>::bits(rounded) << 52));  // times 2^k
+}
+
+template <class T>
+class SpreadTails
+{
+public:
+    explicit GMLPNP_INLINE SpreadTails(const Tails& tails)
+        : most_(Lanes<T>::spread(1 - tails.share)),
+          wide_(Lanes<T>::spread(tails.share / tails.spread2)),
+          perC_(Lanes<T>::spread(1 / (tails.dof * tails.spread2))),
+          slope_(Lanes<T>::spread((tails.dof + 2) / (tails.dof * tails.spread2))),
+          dof_(tails.dof)
+    {}
+
+    // g(c), and w = -2 g'(c) / g(c).
+    GMLPNP_INLINE T density(T c, T& w) const
+    {
+        const T gaussian = most_ * exponential(-0.5 * c), u = 1. / (1. + perC_ * c);
+        T student = wide_ * u;
+        for (int k = dof_; k > 1; k -= 2)
+            student *= u;
+        if (dof_ % 2)
+            student *= Lanes<T>::squareRoot(u);
+        const T g = gaussian + student + LEAST_DENSITY;
+        w = (gaussian + slope_ * u * student) / g;
+        return g;
+    }
+
+private:
+    T most_, wide_, perC_, slope_;
+    int dof_;
+};
+
 // What a loop does not need is left out of it at compile time.
 enum Features
 {
     BEARING_NOISE = 1,  // Gamma is not zero
-    TAILS = 2,          // Student-t
+    TAILS = 2,          // not Gaussian
     KNOWN = 4,          // each point brings covariances of its own
     PRODUCTS = 8,       // sums of products of Q
     NOTHING_ELSE = 16,  // than these
@@ -381,13 +429,14 @@ struct PassState : SpreadPose<T>
           S_o(spread6<T>(in.S_o)),
           Gamma(spread6<T>(in.Gamma)),
           adjS(adjugate(S_o)),
-          tail(Lanes<T>::spread(in.tail)),
+          tails(in.tails),
           lever(Lanes<T>::spread(in.lever)),
           products(in.products)
     {}
 
     const Sym3<T> S_o, Gamma, adjS;
-    const T tail, lever;
+    const SpreadTails<T> tails;
+    const T lever;
     const Products products;
 };
 
@@ -407,11 +456,11 @@ GMLPNP_INLINE T addResidual(const PassState<T>& at, const Block<T>& block, const
         zTilde = {z.x - pull * m.x, z.y - pull * m.y, z.z - pull * m.z};
     }
     if constexpr ((FEATURES & TAILS) != 0) {
-        const T tailed = 1. + at.tail * c, w = (1. + 2. * at.tail) / tailed;
+        T w;
+        sums.tailed *= block.choose(at.tails.density(c, w), Lanes<T>::spread(1));
         wQ = w * Q;
         wzz = w * wzz;
         zTilde = w * zTilde;
-        sums.tailed *= tailed;
     }
     const Vec3<T> e = at.lever * (S_o * z), Xhat = {X.x - e.x, X.y - e.y, X.z - e.z};
     addInformation(Xhat, wQ, sums);
@@ -533,7 +582,7 @@ template <class T, int NOISE>
 void passWith(const PointArrays& data, const PassInput& in, PassSums& out)
 {
     const bool all = in.products && !in.sampled;
-    if (in.tail > 0)
+    if (in.tails.share > 0)
         all ? addAll<T, NOISE | TAILS | PRODUCTS>(data, in, out) : addAll<T, NOISE | TAILS>(data, in, out);
     else
         all ? addAll<T, NOISE | PRODUCTS>(data, in, out) : addAll<T, NOISE>(data, in, out);
@@ -653,30 +702,30 @@ int behind(const PointArrays& data, const double* pose)
     return static_cast<int>(Lanes<T>::sumBits(sum));
 }
 
+// All at once: one after the other they would wait for each other's exponentials.
 template <class T>
-void tails(const double* c, int size, const double* tail, int count, ScaledProduct* products)
+void tails(const double* c, int size, const Tails* tails, const double* factors, TailSums* out)
 {
-    for (int k = 0; k < count; ++k) {
-        Product<T> product;
-        forBlocks<T>(size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
-            product *= 1. + tail[k] * block.only(load<T>(c + block.first));
-        });
-        products[k] = ScaledProduct();
-        addTo(products[k], product);
-    }
-}
-
-template <class T>
-void tailWeights(const double* c, int size, const double* tail, int count, TailWeights* sums)
-{
-    for (int k = 0; k < count; ++k) {
-        T w{}, wc{};
-        forBlocks<T>(size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
-            const T ci = load<T>(c + block.first), wi = block.only(1. / (1. + tail[k] * ci));
-            w += wi, wc += wi * ci;
-        });
-        sums[k].w = Lanes<T>::sum(w);
-        sums[k].wc = Lanes<T>::sum(wc);
+    static_assert(TRIED_TAILS == 4, "as many as are listed here");
+    const SpreadTails<T> tried[] = {SpreadTails<T>(tails[0]), SpreadTails<T>(tails[1]), SpreadTails<T>(tails[2]),
+                                    SpreadTails<T>(tails[3])};
+    T inverse[TRIED_TAILS], wc[TRIED_TAILS]{};
+    for (int k = 0; k < TRIED_TAILS; ++k)
+        inverse[k] = Lanes<T>::spread(1 / factors[k]);
+    Product<T> product[TRIED_TAILS];
+    forBlocks<T>(size, [&](const Block<T>& block) GMLPNP_INLINE_LAMBDA {
+        const T given = load<T>(c + block.first);
+        for (int k = 0; k < TRIED_TAILS; ++k) {
+            const T ck = inverse[k] * given;
+            T w;
+            product[k] *= block.choose(tried[k].density(ck, w), Lanes<T>::spread(1));
+            wc[k] += block.only(w * ck);
+        }
+    });
+    for (int k = 0; k < TRIED_TAILS; ++k) {
+        out[k] = TailSums();
+        out[k].wc = Lanes<T>::sum(wc[k]);
+        addTo(out[k].g, product[k]);
     }
 }
 
@@ -792,8 +841,8 @@ void robustStep(const ScoredArrays& data, const double* pose, double width, int 
 template <class T>
 constexpr RayKernels kernelsOf(const char* name)
 {
-    return {name,     Lanes<T>::COUNT, prepare<T>,   pass<T>, information<T>, moments<T>, behind<T>,
-            tails<T>, tailWeights<T>,  residuals<T>, line<T>, truncated<T>,   inliers<T>, robustStep<T>};
+    return {name,     Lanes<T>::COUNT, prepare<T>, pass<T>,      information<T>, moments<T>,   behind<T>,
+            tails<T>, residuals<T>,    line<T>,    truncated<T>, inliers<T>,     robustStep<T>};
 }
 
 }  // namespace

@@ -12,8 +12,21 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
+TailTerms tailTerms(const Tails& tails, double c)
+{
+    if (tails.share == 0)
+        return {std::exp(-c / 2), 1};
+    const double nu = tails.dof, u = 1 / (1 + c / (nu * tails.spread2));
+    const double gaussian = (1 - tails.share) * std::exp(-c / 2);
+    double student = tails.share / tails.spread2 * u * (tails.dof % 2 ? std::sqrt(u) : 1);
+    for (int k = tails.dof; k > 1; k -= 2)
+        student *= u;
+    const double g = gaussian + student + LEAST_DENSITY;
+    return {g, (gaussian + student * (nu + 2) / (nu * tails.spread2) * u) / g};
+}
+
 PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pose& pose, const Matrix3d& S_o,
-                      const Matrix3d& Gamma, double tail)
+                      const Matrix3d& Gamma, const Tails& tails)
 {
     PointTerms at;
     at.X = pose * p;
@@ -23,7 +36,7 @@ PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pose& pose, co
     const Vector3d v = m.cross(at.X), Sv = S * v;
     at.D = m.dot(adjugate(S) * m);
     at.c = v.dot(Sv) / at.D;
-    at.w = (1 + 2 * tail) / (1 + at.c * tail);
+    at.w = tailTerms(tails, at.c).w;
     at.z = Sv.cross(m) / at.D;
     at.Q = A.transpose() * S * A / at.D;
     at.zTilde = at.z - at.s * at.z.dot(Gamma * at.z) * m;
@@ -38,7 +51,7 @@ PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, cons
         Sigma += data.knownObject(i);
         Gamma += data.knownRay(i);
     }
-    return pointTerms(data.pointAt(i), data.rayAt(i), pose, pose.R * Sigma * pose.R.transpose(), Gamma, noise.tail);
+    return pointTerms(data.pointAt(i), data.rayAt(i), pose, pose.R * Sigma * pose.R.transpose(), Gamma, noise.tails);
 }
 
 namespace {
@@ -106,7 +119,7 @@ RaySums assembled(const PassSums& sums, const PassInput& input, int n)
     out.QQ = n / static_cast<double>(sums.inProducts) * symmetric6(sums.QQ);
     out.c = sums.c;
     out.c2 = sums.c2;
-    out.misfit = input.tail > 0 ? 0.5 * (1 / input.tail + 2) * logarithm(sums.tailed) : 0.5 * sums.c;
+    out.misfit = input.tails.share > 0 ? -logarithm(sums.tailed) : 0.5 * sums.c;
     // A residual that is not a number hides from the product of bit patterns, not from the sum.
     out.L = 0.5 * logarithm(sums.D) + (std::isfinite(sums.c) ? out.misfit : sums.c);
     out.inFront = n - static_cast<int>(sums.behind);
@@ -141,7 +154,7 @@ PassInput passInput(const Pose& pose, const Noise& noise)
     std::copy(at.begin(), at.end(), input.pose);
     writeSymmetric(pose.R * noise.Sigma * pose.R.transpose(), input.S_o);
     writeSymmetric(noise.Gamma, input.Gamma);
-    input.tail = noise.tail;
+    input.tails = noise.tails;
     return input;
 }
 

@@ -16,8 +16,7 @@ struct Noise
 {
     Matrix3d Sigma = Matrix3d::Zero();  //!< object noise, object frame, length^2
     Matrix3d Gamma = Matrix3d::Zero();  //!< bearing noise, camera frame, rad^2
-    //! 1/nu of the Student-t whose scale matrices Sigma and Gamma are; 0: Gaussian.
-    double tail = 0;
+    Tails tails{};                      //!< of the share 0: Gaussian
 };
 
 /** What one correspondence says at a pose and a noise (doc/theory.md, section 2); the depth is eliminated. */
@@ -27,7 +26,7 @@ struct PointTerms
     double s;         //!< depth along the ray, m^T X
     double D;         //!< determinant of the tangent covariance, m^T adj(S) m
     double c;         //!< squared Mahalanobis residual, 2 degrees of freedom
-    double w;         //!< weight of its tail, (nu + 2) / (nu + c); 1 for Gaussian noise
+    double w;         //!< weight by its tails; 1 for Gaussian noise
     Vector3d z;       //!< Q X
     Vector3d zTilde;  //!< gradient of c/2 with respect to X, the dependence of S on s included
     Vector3d Xhat;    //!< X - R Sigma R^T z: the point without its estimated object noise
@@ -61,7 +60,7 @@ struct RaySums
     Matrix3d Zb, Gb;  //!< sum w s^2 z z^T, sum s^2 Q: for Gamma
     Matrix6d QQ;      //!< sum q q^T (or by s^4), q = Q_xx Q_xy Q_xz Q_yy Q_yz Q_zz; if asked for
     double L;         //!< negative log-likelihood, nat: 1/2 sum log D + misfit
-    double misfit;    //!< 1/2 sum c, or 1/2 (nu + 2) sum log(1 + c / nu)
+    double misfit;    //!< 1/2 sum c, or -sum log g(c)
     double c, c2;     //!< sum c, sum c^2
     int inFront;      //!< points with s >= 0
 };
@@ -72,9 +71,17 @@ struct RayProducts
     Matrix6d object, bearing, both;
 };
 
+/** Of one point with the squared residual c. */
+struct TailTerms
+{
+    double g;  //!< density times 2 pi
+    double w;  //!< -2 d log g / dc, the weight of the point; 1 for Gaussian noise
+};
+CV_EXPORTS TailTerms tailTerms(const Tails& tails, double c);
+
 /** Terms of one point; the readable twin of the pass. `S_o` is R Sigma R^T; both with what is known of the point. */
 CV_EXPORTS PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pose& pose, const Matrix3d& S_o,
-                                 const Matrix3d& Gamma, double tail = 0);
+                                 const Matrix3d& Gamma, const Tails& tails = {});
 CV_EXPORTS PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, const Noise& noise);
 
 /** The loops for each instruction set that this machine has, fastest first; the last are scalar. */

@@ -51,10 +51,10 @@ bool sound(const Estimate& estimate, int n)
 }
 
 // Weights of the tails, from squared residuals.
-std::vector<double> weights(std::vector<double> c, double tail)
+std::vector<double> weights(std::vector<double> c, const Tails& tails)
 {
     for (double& entry : c)
-        entry = (1 + 2 * tail) / (1 + tail * entry);
+        entry = tailTerms(tails, entry).w;
     return c;
 }
 
@@ -83,7 +83,7 @@ void addExtras(const Correspondences& data, const Estimate& found, const Options
         solution.objectError = area * estimate.objectError;
     if (!options.Gamma && !published)
         solution.bearingError = estimate.bearingError;
-    solution.weights = weights(std::move(c), estimate.noise.tail);
+    solution.weights = weights(std::move(c), estimate.noise.tails);
     if (n > 3 || (options.Sigma && options.Gamma))
         solution.covariance =
             rescaled(poseCovariance(found, effectiveNumber(solution.weights), observedDirections(data)), data.scale);
@@ -93,7 +93,7 @@ Solution toCaller(const Correspondences& data, const Estimate& found, const Opti
 {
     const double area = data.scale * data.scale;
     Solution solution{data.toObject(found.pose),
-                      {area * found.noise.Sigma, found.noise.Gamma, found.noise.tail},
+                      {area * found.noise.Sigma, found.noise.Gamma, found.noise.tails},
                       found.kind,
                       found.evidence,
                       found.rounds,

@@ -62,7 +62,7 @@ TEST(Gmlpnp_Estimate, farMinimaAreNotAveraged)
         const Problem at = problem(scene);
         const IsotropicSplit split = splitResiduals(at.data, at.start);
         const auto costOf = [&](NoiseKind kind, const IsotropicNoise& noise, double b) {
-            const Noise start{noise.a * Matrix3d::Identity(), b * Matrix3d::Identity(), 0};
+            const Noise start{noise.a * Matrix3d::Identity(), b * Matrix3d::Identity(), {}};
             return alternate(at.data, at.start, start, kind, stopping).sums.L;
         };
         const double worst = std::max({costOf(NoiseKind::OBJECT, split.object, 0),
@@ -127,7 +127,7 @@ TEST(Gmlpnp_Estimate, zeroToleranceRunsAllRounds)
 {
     cv::RNG rng = testRng();
     const Problem p = problem(paperScene(rng, 60, 0.1, 1));
-    const Noise start{1e-3 * Matrix3d::Identity(), Matrix3d::Zero(), 0};
+    const Noise start{1e-3 * Matrix3d::Identity(), Matrix3d::Zero(), {}};
     EXPECT_EQ(13, alternate(p.data, p.start, start, NoiseKind::OBJECT, {13, 0, false}).rounds);
     EXPECT_LT(alternate(p.data, p.start, start, NoiseKind::OBJECT, {100, 1, false}).rounds, 13);
 }

@@ -142,7 +142,7 @@ double costAt(const Scene& scene, const cv::Vec3d& rvec, const cv::Vec3d& tvec, 
     const Correspondences data(scene.objectPoints, scene.rays);
     const double unit = 1 / (data.scale * data.scale);
     return rayPass(data, data.fromObject(poseOf(rvec, tvec)),
-                   {unit * matrix3(noise.objectNoise), matrix3(noise.bearingNoise), 1 / noise.tailDof})
+                   {unit * matrix3(noise.objectNoise), matrix3(noise.bearingNoise), {noise.tailShare}})
         .L;
 }
 

@@ -82,7 +82,7 @@ TEST(Gmlpnp_InitialPose, noStartEndsLower)
         const Correspondences data(noisy, scene.rays);
         const std::vector<PoseCandidate> found = initialPoses(data);
         ASSERT_FALSE(found.empty());
-        const Noise unit{Matrix3d::Identity(), Matrix3d::Zero(), 0};
+        const Noise unit{Matrix3d::Identity(), Matrix3d::Zero(), {}};
         for (int start = 0; start < 50; ++start) {
             const Pose pose = isotropicPose(data, {randomRotation(rng), Vector3d(0, 0, 4)});
             const RaySums sums = rayPass(data, pose, unit);

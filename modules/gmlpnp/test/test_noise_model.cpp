@@ -32,7 +32,7 @@ using Update = std::function<Matrix3d(const Matrix3d& Sigma, const RaySums& sums
 // Updates Sigma alone until it settles, and asserts on the way that L never rises.
 Matrix3d settle(const FixedPose& at, const Update& update, int rounds)
 {
-    Noise noise{0.01 * Matrix3d::Identity(), Matrix3d::Zero(), 0};
+    Noise noise{0.01 * Matrix3d::Identity(), Matrix3d::Zero(), {}};
     double before = HUGE_VAL;
     for (int k = 0; k < rounds; ++k) {
         const RaySums sums = rayPass(at.data, at.pose, noise);
@@ -126,7 +126,7 @@ TEST(Gmlpnp_NoiseModel, publishedUpdateIsTheCovarianceOfTheObjectResiduals)
 {
     cv::RNG rng = testRng();
     const FixedPose at = fixedPose(rng, 30);
-    const Noise noise{randomNoise(rng, 0.2), Matrix3d::Zero(), 0};
+    const Noise noise{randomNoise(rng, 0.2), Matrix3d::Zero(), {}};
     const Matrix3d& R = at.pose.R;
     const Matrix3d information = noise.Sigma.inverse();
     Matrix3d mean = Matrix3d::Zero();

@@ -110,7 +110,7 @@ TEST(Gmlpnp_RayKernels, passesAgreeWithTheScalarOne)
                 Noise noise;
                 noise.Sigma = randomNoise(rng, 0.2);
                 noise.Gamma = noises.bearing ? randomNoise(rng, 0.05) : Matrix3d(Matrix3d::Zero());
-                noise.tail = noises.tails ? 0.2 : 0;
+                noise.tails.share = noises.tails ? 0.2 : 0;
                 std::vector<double> c(n), cScalar(n);
                 const RaySums found =
                     rayPass(data, pose, noise, {LeverArm::CORRECTED, OF_BEARING, c.data(), n > 7}, *kernels);
@@ -201,14 +201,13 @@ TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)
             kernels->moments(data.arrays(), moments);
             LineSums line;
             kernels->line(x.data(), y.data(), n, 0.3, 0.7, line);
-            const double tail = 0.4;
-            ScaledProduct tailed;
-            kernels->tails(x.data(), n, &tail, 1, &tailed);
-            TailWeights weights;
-            kernels->tailWeights(x.data(), n, &tail, 1, &weights);
+            const Tails tails[TRIED_TAILS] = {{0.3, 4, 1}, {0.1}, {1, 1, 5}, {0.01, 100, 4}};
+            const double factors[TRIED_TAILS] = {2.5, 1, 0.1, 40};
+            TailSums tailSums[TRIED_TAILS];
+            kernels->tails(x.data(), n, tails, factors, tailSums);
 
             int behind = 0;
-            double logTailed = 0, w = 0, wc = 0, logVariance = 0, wxy = 0, misfit = 0;
+            double logTails[TRIED_TAILS] = {}, wc[TRIED_TAILS] = {}, logVariance = 0, wxy = 0, misfit = 0;
             Matrix3d Q = Matrix3d::Zero(), yzQ = Matrix3d::Zero();
             for (int i = 0; i < n; ++i) {
                 const Vector3d m = data.rayAt(i), p = data.pointAt(i), X = pose * p;
@@ -216,9 +215,11 @@ TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)
                 EXPECT_TRUE(near(s2, x[i], 100 * X.squaredNorm()));
                 EXPECT_TRUE(near(v2, y[i], 100 * X.squaredNorm()));
                 behind += m.dot(X) < 0;
-                logTailed += std::log1p(tail * s2);
-                w += 1 / (1 + tail * s2);
-                wc += s2 / (1 + tail * s2);
+                for (int k = 0; k < TRIED_TAILS; ++k) {
+                    const TailTerms tailed = tailTerms(tails[k], s2 / factors[k]);
+                    logTails[k] += std::log(tailed.g);
+                    wc[k] += tailed.w * s2 / factors[k];
+                }
                 logVariance += std::log(variance);
                 wxy += s2 * v2 / (variance * variance);
                 misfit += v2 / variance;
@@ -226,9 +227,10 @@ TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)
                 yzQ += p(1) * p(2) * (Matrix3d::Identity() - m * m.transpose());
             }
             EXPECT_EQ(behind, kernels->behind(data.arrays(), at));
-            EXPECT_TRUE(near(logTailed, logarithm(tailed), 1 + n));
-            EXPECT_TRUE(near(w, weights.w, w));
-            EXPECT_TRUE(near(wc, weights.wc, wc));
+            for (int k = 0; k < TRIED_TAILS; ++k) {
+                EXPECT_TRUE(near(logTails[k], logarithm(tailSums[k].g), 1 - logTails[k]));
+                EXPECT_TRUE(near(wc[k], tailSums[k].wc, wc[k]));
+            }
             EXPECT_TRUE(near(logVariance, logarithm(line.variance), 1 + n));
             EXPECT_TRUE(near(wxy, line.wxy, wxy));
             EXPECT_TRUE(near(misfit, line.misfit, misfit));
@@ -246,10 +248,11 @@ TEST(Gmlpnp_RayKernels, productsDoNotLeaveTheRange)
         LineSums line;
         kernels->line(small.data(), small.data(), n, 1e-40, 0, line);
         EXPECT_NEAR(logarithm(line.variance), n * std::log(1e-40), 1e-9 * n) << kernels->name;
-        const double tail = 1;
-        ScaledProduct tailed;
-        kernels->tails(c.data(), n, &tail, 1, &tailed);
-        EXPECT_NEAR(logarithm(tailed), n * std::log(1e100), 1e-9 * n) << kernels->name;
+        const Tails student{1, 1, 2}, tails[TRIED_TAILS] = {student, student, student, student};
+        const double factors[TRIED_TAILS] = {1, 1, 1, 1};
+        TailSums sums[TRIED_TAILS];
+        kernels->tails(c.data(), n, tails, factors, sums);  // g = (1 + c / 2)^-2
+        EXPECT_NEAR(logarithm(sums[0].g), -2 * n * std::log(0.5e100), 1e-9 * n) << kernels->name;
     }
 }
 

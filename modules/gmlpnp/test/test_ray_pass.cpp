@@ -119,7 +119,7 @@ RaySums sumsByPointTerms(const Correspondences& data, const Pose& pose, const No
         sums.Go += at.Q;
         sums.Zb += at.w * at.s * at.s * at.z * at.z.transpose();
         sums.Gb += at.s * at.s * at.Q;
-        const double misfit = noise.tail > 0 ? (0.5 / noise.tail + 1) * std::log(1 + at.c * noise.tail) : 0.5 * at.c;
+        const double misfit = noise.tails.share > 0 ? -std::log(tailTerms(noise.tails, at.c).g) : 0.5 * at.c;
         sums.c += at.c;
         sums.c2 += at.c * at.c;
         sums.misfit += misfit;
@@ -165,9 +165,9 @@ TEST(Gmlpnp_RayPass, addsThePointTerms)
          {Correspondences(scene.objectPoints, scene.rays), Correspondences(scene.objectPoints, scene.rays, P),
           Correspondences(scene.objectPoints, scene.rays, {}, B),
           Correspondences(scene.objectPoints, scene.rays, P, B)})
-        for (double tail : {0.0, 1. / 30, 0.5}) {
+        for (const Tails& tails : {Tails{}, Tails{0.02}, Tails{0.5, 9, 3}, Tails{1, 1, 2}}) {
             const Pose pose{randomRotation(rng), gaussian3(rng)};
-            const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), tail};
+            const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), tails};
             expectSameSums(rayPass(data, pose, noise), sumsByPointTerms(data, pose, noise));
         }
 }
@@ -184,10 +184,10 @@ TEST(Gmlpnp_RayPass, knownCovariancesAdd)
             rowsP(i, k) = P(k / 3, k % 3), rowsB(i, k) = B(k / 3, k % 3);
     const Correspondences without(scene.objectPoints, scene.rays), with(scene.objectPoints, scene.rays, rowsP, rowsB);
     const Pose pose{randomRotation(rng), gaussian3(rng)};
-    const Noise some{randomNoise(rng, 0.2), randomNoise(rng, 0.05), 0.1};
+    const Noise some{randomNoise(rng, 0.2), randomNoise(rng, 0.05), {0.1}};
     const double unit = 1 / (with.scale * with.scale);
     expectSameSums(rayPass(with, pose, some),
-                   rayPass(without, pose, {some.Sigma + unit * P, some.Gamma + B, some.tail}));
+                   rayPass(without, pose, {some.Sigma + unit * P, some.Gamma + B, some.tails}));
 }
 
 // A Gamma that differs from ray to ray by the squares of angular scales is the same as covariances known of each ray.
@@ -197,7 +197,7 @@ TEST(Gmlpnp_RayPass, angularScalesScaleGamma)
     cv::RNG rng = testRng();
     const Scene scene = exactScene(rng, surroundingPoints(rng, N));
     const Pose pose{randomRotation(rng), gaussian3(rng)};
-    const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), 0.1};
+    const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), {0.1}};
     cv::Mat_<double> rays = scene.rays.clone(), covariances(N, 9), known(N, 9);
     double logScales = 0;
     for (int i = 0; i < N; ++i) {
@@ -215,7 +215,7 @@ TEST(Gmlpnp_RayPass, angularScalesScaleGamma)
     EXPECT_NEAR(logScales, scaled.logAngularScales(), 1e-12);
     EXPECT_EQ(0, apart.logAngularScales());
     const RaySums a = rayPass(scaled, pose, noise);
-    const RaySums b = rayPass(apart, pose, {noise.Sigma, Matrix3d::Zero(), noise.tail});
+    const RaySums b = rayPass(apart, pose, {noise.Sigma, Matrix3d::Zero(), noise.tails});
     EXPECT_TRUE(matrixNear(a.H, b.H, 1e-11 * b.H.norm()));
     EXPECT_TRUE(matrixNear(a.g, b.g, 1e-11 * b.g.norm()));
     EXPECT_TRUE(matrixNear(a.Zo, b.Zo, 1e-11 * b.Zo.norm()));
@@ -296,7 +296,7 @@ TEST(Gmlpnp_RayPass, leverArmAsGivenHoldsTheNoiseInTheCameraFrame)
     cv::RNG rng = testRng();
     const Correspondences data = makeData(paperScene(rng, 20, 0.3, 3));
     const Pose pose{randomRotation(rng), Vector3d(0, 0, 3)};
-    const Noise noise{randomNoise(rng, 0.2) + 0.01 * Matrix3d::Identity(), Matrix3d::Zero(), 0};
+    const Noise noise{randomNoise(rng, 0.2) + 0.01 * Matrix3d::Identity(), Matrix3d::Zero(), {}};
     constexpr double h = 1e-6;
     Vector6d gradient;
     for (int k = 0; k < 6; ++k) {
@@ -354,7 +354,7 @@ TEST(Gmlpnp_RayPass, countsPointsInFront)
     const Scene scene = exactScene(rng, surroundingPoints(rng, 25));
     const Correspondences data = makeData(scene);
     Pose pose = data.fromObject(scene.truth);
-    const Noise noise{Matrix3d::Identity(), Matrix3d::Zero(), 0};
+    const Noise noise{Matrix3d::Identity(), Matrix3d::Zero(), {}};
     EXPECT_EQ(25, rayPass(data, pose, noise).inFront);
     const Correspondences opposite(scene.objectPoints, cv::Mat_<double>(cv::Mat(-scene.rays)));
     EXPECT_EQ(0, rayPass(opposite, pose, noise).inFront);

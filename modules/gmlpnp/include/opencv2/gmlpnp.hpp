@@ -73,8 +73,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Marginal: change of the cost L [nat] below which a round is the last (default 0.1). 0: run all rounds.
     //! The published method has its own criterion, the relative change of its covariance.
     CV_PROP_RW double tolerance;
-    //! Student-t tails where the residuals ask for them, degrees of freedom estimated (default true): wrong matches
-    //! that look right then weigh little. Marginal method only.
+    //! Heavy tails where the residuals ask for them, the share of the points in them estimated (default true): points
+    //! that are far noisier than most, and wrong matches that look right, then weigh little. Marginal method only.
     CV_PROP_RW bool robust;
     CV_PROP_RW bool useExtrinsicGuess;  //!< start at (rvec, tvec) instead of the global solver (default false)
     CV_PROP_RW Vec3d rvec;              //!< guess: rotation vector, rad, object to camera
@@ -131,10 +131,12 @@ struct CV_EXPORTS_W_SIMPLE Result
     //! the data cannot tell; the pose is then the mean over the explanations, weighed by their likelihoods (and for an
     //! object of little depth by a prior for bearing noise), and poseCovariance holds their spread.
     CV_PROP_RW double noiseEvidence;
-    //! Degrees of freedom of the Student-t whose scale matrices objectNoise and bearingNoise are; infinity: Gaussian,
-    //! and they are covariances.
+    //! Share of the points whose noise is wider: objectNoise and bearingNoise are the covariances of the others, and
+    //! 6.25 times these the scale matrices of a Student-t of 2 degrees of freedom for that share. 0: Gaussian noise.
+    CV_PROP_RW double tailShare;
+    //! Degrees of freedom of the one Student-t that is nearest to this mixture; infinity: Gaussian.
     CV_PROP_RW double tailDof;
-    CV_PROP_RW Mat weights;     //!< Nx1, weight of each point, about 1 on average; 0 for pixels without a ray
+    CV_PROP_RW Mat weights;     //!< Nx1, weight of each point, at most 1; 0 for pixels without a ray
     CV_PROP_RW int usedPoints;  //!< points that had a ray
 };
 

@@ -1,0 +1,212 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "precomp.hpp"
+
+#include "tails.hpp"
+
+// Heavy tails: most points are Gaussian, a share of them has a wider noise (doc/theory.md, section 4).
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+namespace {
+
+// A Gaussian noise fitted to few points follows the wildest of them so well that their tails hardly show: there the
+// test asks for less. [points]
+constexpr int FEW = 50;
+constexpr int MIN_POINTS_TAILS = 8;  // fewer lose more by tails that are not there than they gain by those that are
+
+// Score test for tails heavier than Gaussian: the squared residuals of a Gaussian have  sum (c^2/4 - c)  of mean 0 and
+// variance 8 n, and with the scale fitted too  sum (c^2/4 - 2 c + 2)  of variance 4 n. The root of twice the variance
+// promises a gain of one nat.
+bool promisesTails(const RaySums& sums, bool scaleKnown, int n)
+{
+    if (n < MIN_POINTS_TAILS)
+        return false;
+    if (scaleKnown)
+        return sums.c2 / 4 - sums.c > std::sqrt(16. * n);
+    const double share = std::min(1., static_cast<double>(n) / FEW);
+    return sums.c2 / 4 - 2 * sums.c + 2 * n > share * share * std::sqrt(8. * n);
+}
+
+// A noise whose shape is not that of the data has tails of its own, which go as the shape comes: those that a Student-t
+// of the same scale does not see.
+bool showAtTheSameScale(const double* c, const RaySums& sums, int n)
+{
+    constexpr std::array<Tails, TRIED_TAILS> students = {Tails{1, 1, 16}, {1, 1, 8}, {1, 1, 4}, {1, 1, 2}};
+    constexpr std::array<double, TRIED_TAILS> same = {1, 1, 1, 1};
+    std::array<TailSums, TRIED_TAILS> found;
+    rayKernels(n).tails(c, n, students.data(), same.data(), found.data());
+    return std::any_of(found.begin(), found.end(),
+                       [&](const TailSums& student) { return -logarithm(student.g) < 0.5 * sums.c; });
+}
+
+bool mayHaveTails(const double* c, const RaySums& sums, bool scaleKnown, int n)
+{
+    return promisesTails(sums, scaleKnown, n) && (scaleKnown || n < FEW || showAtTheSameScale(c, sums, n));
+}
+
+// A share with the factor of the noise that fits best, and its part of L [nat].
+struct Fit
+{
+    double share, factor, cost;
+};
+
+// Shares that double from one to the next, and the Gaussian.
+constexpr std::array<double, TRIED_TAILS> SHARES = {0.05, 0.1, 0.2, 0.4};
+
+struct Fits
+{
+    Fit gaussian;
+    std::array<Fit, TRIED_TAILS> wide;
+};
+
+using Factors = std::array<double, TRIED_TAILS>;
+
+Fits fitsOf(const Factors& factors, const std::array<TailSums, TRIED_TAILS>& sums, const Fit& gaussian, int n)
+{
+    Fits fits{gaussian, {}};
+    for (int k = 0; k < TRIED_TAILS; ++k)
+        fits.wide[k] = {SHARES[k], factors[k], n * std::log(factors[k]) - logarithm(sums[k].g)};
+    return fits;
+}
+
+// A share between those that are fitted: its prior, over that of the Gaussian, and its cost by theirs.
+struct Between
+{
+    double share, prior;
+    std::array<double, TRIED_TAILS> basis;  // of the cubic through their costs, over the logarithm of the share
+};
+
+constexpr int PER_DOUBLING = 4, BETWEEN_COUNT = (TRIED_TAILS - 1) * PER_DOUBLING + 1;
+using BetweenArray = std::array<Between, BETWEEN_COUNT>;
+
+BetweenArray sharesBetween()
+{
+    constexpr double PRIOR = 2.5;  // of a share over half of it; the least is as likely as none
+    BetweenArray all{};
+    for (int i = 0; i < BETWEEN_COUNT; ++i) {
+        const double doublings = static_cast<double>(i) / PER_DOUBLING;
+        all[i].share = SHARES[0] * std::exp2(doublings);
+        all[i].prior = std::pow(PRIOR, doublings) * TRIED_TAILS / BETWEEN_COUNT;
+        for (int k = 0; k < TRIED_TAILS; ++k) {
+            all[i].basis[k] = 1;
+            for (int j = 0; j < TRIED_TAILS; ++j)
+                all[i].basis[k] *= j == k ? 1 : (doublings - j) / (k - j);
+        }
+    }
+    return all;
+}
+
+// Where the likelihood is flat a mean errs less than its maximum; where it is not the two are one.
+double meanShare(const Fits& fits)
+{
+    static const BetweenArray all = sharesBetween();
+    constexpr double LIKE_GAUSSIAN = 0.0125;  // below, the weights hardly differ
+    std::array<double, BETWEEN_COUNT> costs{};
+    for (int i = 0; i < BETWEEN_COUNT; ++i)
+        for (int k = 0; k < TRIED_TAILS; ++k)
+            costs[i] += all[i].basis[k] * fits.wide[k].cost;
+    const double least = std::min(fits.gaussian.cost, *std::min_element(costs.begin(), costs.end()));
+    double total = std::exp(least - fits.gaussian.cost), sum = 0;
+    for (int i = 0; i < BETWEEN_COUNT; ++i) {
+        const double likely = all[i].prior * std::exp(least - costs[i]);
+        total += likely;
+        sum += likely * all[i].share;
+    }
+    return sum >= LIKE_GAUSSIAN * total ? sum / total : 0;
+}
+
+// Between the fits the logarithm of the factor runs straight.
+double factorAt(const Fits& fits, double share)
+{
+    const Fit* a = &fits.gaussian;
+    const Fit* b = fits.wide.data();
+    while (b->share < share && b != &fits.wide.back())
+        a = b++;
+    return a->factor * std::pow(b->factor / a->factor, (share - a->share) / (b->share - a->share));
+}
+
+}  // namespace
+
+void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
+{
+    Tails& tails = noise.tails;
+    const bool atFloor = !scaleKnown_ && sums.c < n_;  // the data are better than the least noise
+    if (atFloor)
+        tails.share = 0;
+    if (atFloor || (tails.share == 0 && !mayHaveTails(c, sums, scaleKnown_, n_)))
+        return;
+
+    std::array<Tails, TRIED_TAILS> tried;
+    tried.fill(tails);
+    for (int k = 0; k < TRIED_TAILS; ++k)
+        tried[k].share = SHARES[k];
+    std::array<TailSums, TRIED_TAILS> found;
+    const auto add = [&] { rayKernels(n_).tails(c, n_, tried.data(), factors_.data(), found.data()); };
+    const auto improve = [&] {  // EM:  lambda <- 1/(2n) sum w c
+        for (int k = 0; k < TRIED_TAILS && !scaleKnown_; ++k)
+            factors_[k] *= found[k].wc / (2 * n_);
+    };
+    const double scale = scaleKnown_ ? 1 : sums.c / (2 * n_);
+    if (tails.share == 0) {
+        constexpr double NARROWER = 0.5;  // than a Gaussian that was fitted to all of them
+        constexpr int STEPS = 2;
+        factors_.fill(scaleKnown_ ? 1 : NARROWER * scale);
+        for (int step = 0; step < STEPS && !scaleKnown_; ++step) {
+            add();
+            improve();
+        }
+    }
+    add();
+    const Fit gaussian{0, scale, scaleKnown_ ? 0.5 * sums.c : n_ * std::log(scale) + n_};
+    const double share = meanShare(fitsOf(factors_, found, gaussian, n_));
+    improve();
+    const Fits fits = fitsOf(factors_, found, gaussian, n_);
+    const double factor = factorAt(fits, share);
+    noise.Sigma *= factor / factorAt(fits, tails.share);
+    noise.Gamma *= factor / factorAt(fits, tails.share);
+    for (double& entry : factors_)
+        entry /= factor;
+    tails.share = share;
+}
+
+bool sameTails(const Tails& a, const Tails& b, int n, double tolerance)
+{
+    constexpr double SAME = 0.1;  // relative: moves L and the pose less than the tolerance does
+    const double step = std::abs(a.share - b.share), larger = std::max(a.share, b.share);
+    const double gain =
+        n * step * step / (2 * larger);  // at most: the information about a share is less than n / share
+    return step <= SAME * larger || gain < tolerance;
+}
+
+TailInformation tailInformation(const Tails& tails)
+{
+    if (tails.share == 0)
+        return {1, 1};
+    // Means over c by u = 1 / (1 + c / (dof spread2)): two points of Gauss and Legendre in each interval.
+    constexpr int INTERVALS = 32;
+    const double reach = tails.dof * tails.spread2, offset = 0.5 / std::sqrt(3.);
+    TailInformation sum{0, 0};
+    for (int k = 0; k < 2 * INTERVALS; ++k) {
+        const double u = (k / 2 + 0.5 + (k % 2 ? offset : -offset)) / INTERVALS, c = reach * (1 / u - 1);
+        const TailTerms at = tailTerms(tails, c);
+        const double mass = at.g / 2 * reach / (u * u) / (2 * INTERVALS), wwc = at.w * at.w * c;
+        sum.pose += mass * wwc / 2;
+        sum.noise += mass * wwc * c / 8;
+    }
+    sum.pose /= 1 - tails.share + tails.share / tails.spread2;  // E w
+    return sum;
+}
+
+double nearestStudentT(const Tails& tails)
+{
+    return 1 / std::sqrt(tails.share);  // within 3 % for shares to .4 of the default width
+}
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
