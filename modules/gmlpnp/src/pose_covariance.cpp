@@ -94,6 +94,8 @@ double observedDirections(const Correspondences& data)
 
 Matrix6d poseCovariance(const Estimate& estimate, double n, double directions)
 {
+    if (estimate.noise.tails.share > 0)
+        n -= 1;  // their share is estimated, too
     const UnitDiagonal H(estimate.sums.H);
     const Matrix6d inverse = H.matrix.ldlt().solve(Matrix6d::Identity());
     const Matrix6d covariance = smallSample(estimate.kind, n, directions) / tailInformation(estimate.noise.tails).pose *
