@@ -159,4 +159,23 @@ Draw outlierProblem(int n, double sigma, double px, double share, bool gross)
     };
 }
 
+Draw studentProblem(int n, double sigma, double px, int dof)
+{
+    return [=](cv::RNG& rng) {
+        Scene scene = synthetic::exactScene(rng, synthetic::boxPoints(rng, n));
+        const cv::Mat_<double> exact = scene.objectPoints.clone();
+        synthetic::disturb(rng, scene, sigma, px, *pinhole());
+        for (int i = 0; i < n; ++i) {
+            double chi2 = 0;
+            for (int k = 0; k < dof; ++k) {
+                const double normal = rng.gaussian(1);
+                chi2 += normal * normal;
+            }
+            scene.objectPoints.row(i) =
+                exact.row(i) + (scene.objectPoints.row(i) - exact.row(i)) / std::sqrt(chi2 / dof);
+        }
+        return prepared(scene, pinhole(), true);
+    };
+}
+
 }  // namespace experiments

@@ -60,6 +60,9 @@ Draw wideProblem(int n, double sigma, double px);
 in their object points. */
 Draw outlierProblem(int n, double sigma, double px, double share, bool gross);
 
+/** The paper's with object noise that is a Student-t of so many degrees of freedom. */
+Draw studentProblem(int n, double sigma, double px, int dof);
+
 }  // namespace experiments
 
 #endif  // GMLPNP_EXPERIMENTS_PROBLEM_HPP

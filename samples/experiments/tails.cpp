@@ -7,7 +7,7 @@
 #include "src/initial_pose.hpp"
 
 // What the estimated tails cost on Gaussian data, and whether they reach the best Student-t of fixed degrees of freedom
-// where some of the points have five times the noise.
+// where some of the points have five times the noise, and where the noise is a Student-t.
 
 namespace experiments {
 
@@ -49,24 +49,42 @@ std::array<PoseErrors, COUNT> errorsOfAll(const Problem& problem)
     return errors;
 }
 
+struct Kind
+{
+    std::string name;
+    std::function<Draw(int n)> problem;
+};
+
+std::vector<Kind> kindsOfNoise()
+{
+    std::vector<Kind> kinds;
+    for (const double share : {0., 0.05, 0.1, 0.2})
+        kinds.push_back(
+            {cv::format("%g %%", 100 * share), [=](int n) { return outlierProblem(n, 0.1, 1, share, false); }});
+    for (const int dof : {3, 2})
+        kinds.push_back({cv::format("Student-t of %d", dof), [=](int n) { return studentProblem(n, 0.1, 1, dof); }});
+    return kinds;
+}
+
 }  // namespace
 
 void runTails(const Settings& settings)
 {
-    const double shares[] = {0, 0.05, 0.1, 0.2};
+    const std::vector<Kind> kinds = kindsOfNoise();
     const int sizes[] = {20, 50, 200};
     const int trials = settings.trials;
-    Progress progress("tails", static_cast<long>(std::size(shares) * std::size(sizes)) * trials);
+    Progress progress("tails", static_cast<long>(kinds.size() * std::size(sizes)) * trials);
     Csv csv(settings.folder, "tails",
-            std::vector<std::string>{"share", "x", "tails", "trials"} + intervalColumns("rotation_deg_ratio") +
+            std::vector<std::string>{"noise", "x", "tails", "trials"} + intervalColumns("rotation_deg_ratio") +
                 intervalColumns("translation_percent_ratio"));
     int cell = 0;
-    for (const double share : shares)
+    for (const Kind& kind : kinds)
         for (const int n : sizes) {
+            const Draw draw = kind.problem(n);
             std::vector<std::vector<double>> rotation(COUNT, std::vector<double>(trials)), translation = rotation;
             forTrials(trials, settings.threads, progress, [&](int k) {
                 cv::RNG rng = trialRng("tails", cell, k);
-                const std::array<PoseErrors, COUNT> errors = errorsOfAll(outlierProblem(n, 0.1, 1, share, false)(rng));
+                const std::array<PoseErrors, COUNT> errors = errorsOfAll(draw(rng));
                 for (size_t m = 0; m < COUNT; ++m) {
                     rotation[m][k] = errors[m].rotation;
                     translation[m][k] = errors[m].translation;
@@ -74,7 +92,7 @@ void runTails(const Settings& settings)
             });
             const Bootstrap bootstrap(trials);
             for (size_t m = 0; m < COUNT; ++m) {
-                csv << share << n << nameOf(m) << trials << bootstrap.ratio(rotation[m], rotation[0])
+                csv << kind.name << n << nameOf(m) << trials << bootstrap.ratio(rotation[m], rotation[0])
                     << bootstrap.ratio(translation[m], translation[0]);
                 csv.endRow();
             }

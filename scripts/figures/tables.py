@@ -249,7 +249,7 @@ def bias(results):
 
 def tails(results):
     rows = results.rows("tails")
-    at = {(r["share"], r["x"], r["tails"]): r for r in rows}
+    at = {(r["noise"], r["x"], r["tails"]): r for r in rows}
     kinds = distinct(rows, "tails")
 
     def both(row):
@@ -257,8 +257,8 @@ def tails(results):
                             for key in ("rotation_deg_ratio", "translation_percent_ratio"))
 
     yield from table(["ratio to Gaussian"] + kinds[1:],
-                     [[f"{100 * share:g} %, n = {n:g}"] + [both(at[share, n, kind]) for kind in kinds[1:]]
-                      for share in distinct(rows, "share") for n in distinct(rows, "x")])
+                     [[f"{noise}, n = {n:g}"] + [both(at[noise, n, kind]) for kind in kinds[1:]]
+                      for noise in distinct(rows, "noise") for n in distinct(rows, "x")])
 
 
 TABLES = {

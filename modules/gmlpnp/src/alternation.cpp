@@ -135,6 +135,10 @@ Estimate alternate(const Correspondences& data, const Pose& start, const Noise& 
         return sums;
     };
     now.sums = pass(start, noise);
+    if (stopping.robust && isotropicStart && tails.areWild(now.sums)) {
+        tails.update(now.noise, c.data(), now.sums);
+        now.sums = pass(start, now.noise);
+    }
     bool scoring = n >= SCORING_POINTS;
     Products products = options.products;  // that the sums of `now` hold
     while (now.rounds < stopping.maxRounds && !now.converged) {

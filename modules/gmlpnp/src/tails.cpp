@@ -174,6 +174,14 @@ void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
     tails.share = share;
 }
 
+bool TailSearch::areWild(const RaySums& sums) const
+{
+    constexpr double WILD =
+        5;  // mean of c^2 / 4 at the right scale: 2 for isotropic noise, 3 where it has one direction
+    const double scale = sums.c / (2 * n_);
+    return !scaleKnown_ && sums.c >= n_ && sums.c2 / 4 > WILD * n_ * scale * scale;
+}
+
 bool sameTails(const Tails& a, const Tails& b, int n, double tolerance)
 {
     constexpr double SAME = 0.1;  // relative: moves L and the pose less than the tolerance does

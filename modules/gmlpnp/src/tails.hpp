@@ -22,6 +22,9 @@ public:
     of the share. `sums` are those of the pass that gave c. */
     void update(Noise& noise, const double* c, const RaySums& sums);
 
+    /** Whether isotropic noise shows tails that no other shape of it could take away. */
+    bool areWild(const RaySums& sums) const;
+
 private:
     bool scaleKnown_;
     int n_;

@@ -104,6 +104,26 @@ TEST(Gmlpnp_Tails, findsTheShareAndTheNoiseOfTheOthers)
     }
 }
 
+// Before the first round the noise is isotropic, and only tails that cannot be its shape may count.
+TEST(Gmlpnp_Tails, noShapeOfTheNoiseIsWild)
+{
+    cv::RNG rng = testRng();
+    constexpr int N = 100;
+    int wild = 0;
+    for (int k = 0; k < 100; ++k) {
+        std::vector<double> c(N);
+        for (double& entry : c) {
+            const double inOneDirection = rng.gaussian(std::sqrt(2.));
+            entry = inOneDirection * inOneDirection;
+        }
+        wild += TailSearch(false, N).areWild(sumsOf(c));
+        c[0] = 4 * N;  // as far as one point takes the scale along
+        EXPECT_TRUE(TailSearch(false, N).areWild(sumsOf(c)));
+        EXPECT_FALSE(TailSearch(true, N).areWild(sumsOf(c)));
+    }
+    EXPECT_LT(wild, 5);
+}
+
 TEST(Gmlpnp_Tails, exactDataHaveNone)
 {
     cv::RNG rng = testRng();
