@@ -65,8 +65,40 @@ struct Fits
 };
 
 using Factors = std::array<double, TRIED_TAILS>;
+using TriedSums = std::array<TailSums, TRIED_TAILS>;
 
-Fits fitsOf(const Factors& factors, const std::array<TailSums, TRIED_TAILS>& sums, const Fit& gaussian, int n)
+TriedSums sumsAt(const Factors& factors, Tails tails, const double* c, int n)
+{
+    std::array<Tails, TRIED_TAILS> tried;
+    for (int k = 0; k < TRIED_TAILS; ++k) {
+        tails.share = SHARES[k];
+        tried[k] = tails;
+    }
+    TriedSums sums;
+    rayKernels(n).tails(c, n, tried.data(), factors.data(), sums.data());
+    return sums;
+}
+
+// EM:  lambda <- 1/(2n) sum w c.
+void improve(Factors& factors, const TriedSums& sums, int n)
+{
+    for (int k = 0; k < TRIED_TAILS; ++k)
+        factors[k] *= sums[k].wc / (2 * n);
+}
+
+// In place of a Gaussian that was fitted to all of them.
+Factors firstFactors(double scale, const Tails& tails, const double* c, int n)
+{
+    constexpr double NARROWER = 0.5;
+    constexpr int STEPS = 2;
+    Factors factors;
+    factors.fill(NARROWER * scale);
+    for (int step = 0; step < STEPS; ++step)
+        improve(factors, sumsAt(factors, tails, c, n), n);
+    return factors;
+}
+
+Fits fitsOf(const Factors& factors, const TriedSums& sums, const Fit& gaussian, int n)
 {
     Fits fits{gaussian, {}};
     for (int k = 0; k < TRIED_TAILS; ++k)
@@ -130,6 +162,18 @@ double factorAt(const Fits& fits, double share)
     return a->factor * std::pow(b->factor / a->factor, (share - a->share) / (b->share - a->share));
 }
 
+// Sigma and Gamma go where the share goes, and the factors are over them.
+void rescale(Noise& noise, Factors& factors, double share, const TriedSums& sums, const Fit& gaussian, int n)
+{
+    improve(factors, sums, n);
+    const Fits fits = fitsOf(factors, sums, gaussian, n);
+    const double factor = factorAt(fits, share), change = factor / factorAt(fits, noise.tails.share);
+    noise.Sigma *= change;
+    noise.Gamma *= change;
+    for (double& entry : factors)
+        entry /= factor;
+}
+
 }  // namespace
 
 void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
@@ -141,36 +185,14 @@ void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
     if (atFloor || (tails.share == 0 && !mayHaveTails(c, sums, scaleKnown_, n_)))
         return;
 
-    std::array<Tails, TRIED_TAILS> tried;
-    tried.fill(tails);
-    for (int k = 0; k < TRIED_TAILS; ++k)
-        tried[k].share = SHARES[k];
-    std::array<TailSums, TRIED_TAILS> found;
-    const auto add = [&] { rayKernels(n_).tails(c, n_, tried.data(), factors_.data(), found.data()); };
-    const auto improve = [&] {  // EM:  lambda <- 1/(2n) sum w c
-        for (int k = 0; k < TRIED_TAILS && !scaleKnown_; ++k)
-            factors_[k] *= found[k].wc / (2 * n_);
-    };
     const double scale = scaleKnown_ ? 1 : sums.c / (2 * n_);
-    if (tails.share == 0) {
-        constexpr double NARROWER = 0.5;  // than a Gaussian that was fitted to all of them
-        constexpr int STEPS = 2;
-        factors_.fill(scaleKnown_ ? 1 : NARROWER * scale);
-        for (int step = 0; step < STEPS && !scaleKnown_; ++step) {
-            add();
-            improve();
-        }
-    }
-    add();
+    if (tails.share == 0 && !scaleKnown_)
+        factors_ = firstFactors(scale, tails, c, n_);
+    const TriedSums found = sumsAt(factors_, tails, c, n_);
     const Fit gaussian{0, scale, scaleKnown_ ? 0.5 * sums.c : n_ * std::log(scale) + n_};
     const double share = meanShare(fitsOf(factors_, found, gaussian, n_));
-    improve();
-    const Fits fits = fitsOf(factors_, found, gaussian, n_);
-    const double factor = factorAt(fits, share);
-    noise.Sigma *= factor / factorAt(fits, tails.share);
-    noise.Gamma *= factor / factorAt(fits, tails.share);
-    for (double& entry : factors_)
-        entry /= factor;
+    if (!scaleKnown_)
+        rescale(noise, factors_, share, found, gaussian, n_);
     tails.share = share;
 }
 
