@@ -126,7 +126,8 @@ bool Correspondences::finite() const
 
 bool Correspondences::degenerate() const
 {
-    if (!(scale > 0))
+    constexpr double SMALLEST = 1e-100;  // of covariances below nothing would be left
+    if (!(scale > SMALLEST))
         return true;
     const Vector3d spread = Eigen3d(symmetric(sums.scatter), Eigen::EigenvaluesOnly).eigenvalues();
     // Rounding of coordinates far from the origin looks like spread too.

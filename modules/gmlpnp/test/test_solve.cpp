@@ -283,8 +283,9 @@ TEST(Gmlpnp_Solve, badDataIsAStatusAndTouchesNothing)
                      zero = scene.rays.clone();
     nan(3, 1) = std::nan("");
     zero.row(4) = 0;
-    cv::Mat_<double> huge = scene.objectPoints.clone();
+    cv::Mat_<double> huge = scene.objectPoints.clone(), tiny = huge.clone();
     huge *= 1e101;
+    tiny *= 1e-101;
     for (int i = 0; i < 10; ++i)
         line(i, 0) = i, line(i, 1) = 2 * i, line(i, 2) = -i;
     const struct
@@ -296,6 +297,7 @@ TEST(Gmlpnp_Solve, badDataIsAStatusAndTouchesNothing)
                  {scene.objectPoints, zero, cv::gmlpnp::STATUS_NOT_FINITE},
                  {line, scene.rays, cv::gmlpnp::STATUS_DEGENERATE},
                  {place, scene.rays, cv::gmlpnp::STATUS_DEGENERATE},
+                 {tiny, scene.rays, cv::gmlpnp::STATUS_DEGENERATE},
                  {scene.objectPoints.rowRange(0, 3), scene.rays.rowRange(0, 3), cv::gmlpnp::STATUS_TOO_FEW_POINTS}};
     for (int method : METHODS)
         for (const auto& bad : cases) {

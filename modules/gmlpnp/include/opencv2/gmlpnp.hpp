@@ -48,7 +48,7 @@ enum Status
     STATUS_CONVERGED = 0,   //!< the last round changed the cost by less than the tolerance
     STATUS_MAX_ROUNDS,      //!< all rounds used; the pose is good, the noise may still move
     STATUS_TOO_FEW_POINTS,  //!< fewer than 4 points with a ray (3 with a guess)
-    STATUS_DEGENERATE,      //!< collinear or coinciding points or rays, or no pose with points in front
+    STATUS_DEGENERATE,      //!< collinear or coinciding (to 1e-100) points or rays, or no pose with points in front
     STATUS_NOT_FINITE,      //!< NaN, infinity or sizes beyond 1e100 in points, pixels, rays or guess
     STATUS_NO_CONSENSUS     //!< RANSAC: no pose that more points agree with than by chance
 };
