@@ -221,13 +221,14 @@ TailInformation tailInformation(const Tails& tails)
     constexpr int INTERVALS = 32;
     const double reach = tails.dof * tails.spread2, offset = 0.5 / std::sqrt(3.);
     TailInformation sum{0, 0};
-    for (int k = 0; k < 2 * INTERVALS; ++k) {
-        const double u = (k / 2 + 0.5 + (k % 2 ? offset : -offset)) / INTERVALS, c = reach * (1 / u - 1);
-        const TailTerms at = tailTerms(tails, c);
-        const double mass = at.g / 2 * reach / (u * u) / (2 * INTERVALS), wwc = at.w * at.w * c;
-        sum.pose += mass * wwc / 2;
-        sum.noise += mass * wwc * c / 8;
-    }
+    for (int k = 0; k < INTERVALS; ++k)
+        for (const double side : {-offset, offset}) {
+            const double u = (k + 0.5 + side) / INTERVALS, c = reach * (1 / u - 1);
+            const TailTerms at = tailTerms(tails, c);
+            const double mass = at.g / 2 * reach / (u * u) / (2 * INTERVALS), wwc = at.w * at.w * c;
+            sum.pose += mass * wwc / 2;
+            sum.noise += mass * wwc * c / 8;
+        }
     sum.pose /= 1 - tails.share + tails.share / tails.spread2;  // E w
     return sum;
 }
