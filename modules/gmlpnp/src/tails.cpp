@@ -49,21 +49,10 @@ bool mayHaveTails(const double* c, const RaySums& sums, bool scaleKnown, int n)
     return promisesTails(sums, scaleKnown, n) && (scaleKnown || n < FEW || showAtTheSameScale(c, sums, n));
 }
 
-// A share with the factor of the noise that fits best, and its part of L [nat].
-struct Fit
-{
-    double share, factor, cost;
-};
-
-// Shares that double from one to the next, and the Gaussian.
+// Shares that double from one to the next.
 constexpr std::array<double, TRIED_TAILS> SHARES = {0.05, 0.1, 0.2, 0.4};
 
-struct Fits
-{
-    Fit gaussian;
-    std::array<Fit, TRIED_TAILS> wide;
-};
-
+// For each share the factor of the noise that fits best.
 using Factors = std::array<double, TRIED_TAILS>;
 using TriedSums = std::array<TailSums, TRIED_TAILS>;
 
@@ -98,12 +87,13 @@ Factors firstFactors(double scale, const Tails& tails, const double* c, int n)
     return factors;
 }
 
-Fits fitsOf(const Factors& factors, const TriedSums& sums, const Fit& gaussian, int n)
+// Their parts of L [nat].
+std::array<double, TRIED_TAILS> costsOf(const Factors& factors, const TriedSums& sums, int n)
 {
-    Fits fits{gaussian, {}};
+    std::array<double, TRIED_TAILS> costs{};
     for (int k = 0; k < TRIED_TAILS; ++k)
-        fits.wide[k] = {SHARES[k], factors[k], n * std::log(factors[k]) - logarithm(sums[k].g)};
-    return fits;
+        costs[k] = n * std::log(factors[k]) - logarithm(sums[k].g);
+    return costs;
 }
 
 // A share between those that are fitted: its prior, over that of the Gaussian, and its cost by theirs.
@@ -134,16 +124,16 @@ BetweenArray sharesBetween()
 }
 
 // Where the likelihood is flat a mean errs less than its maximum; where it is not the two are one.
-double meanShare(const Fits& fits)
+double meanShare(double gaussian, const std::array<double, TRIED_TAILS>& fitted)
 {
     static const BetweenArray all = sharesBetween();
     constexpr double LIKE_GAUSSIAN = 0.0125;  // below, the weights hardly differ
     std::array<double, BETWEEN_COUNT> costs{};
     for (int i = 0; i < BETWEEN_COUNT; ++i)
         for (int k = 0; k < TRIED_TAILS; ++k)
-            costs[i] += all[i].basis[k] * fits.wide[k].cost;
-    const double least = std::min(fits.gaussian.cost, *std::min_element(costs.begin(), costs.end()));
-    double total = std::exp(least - fits.gaussian.cost), sum = 0;
+            costs[i] += all[i].basis[k] * fitted[k];
+    const double least = std::min(gaussian, *std::min_element(costs.begin(), costs.end()));
+    double total = std::exp(least - gaussian), sum = 0;
     for (int i = 0; i < BETWEEN_COUNT; ++i) {
         const double likely = all[i].prior * std::exp(least - costs[i]);
         total += likely;
@@ -152,22 +142,21 @@ double meanShare(const Fits& fits)
     return sum >= LIKE_GAUSSIAN * total ? sum / total : 0;
 }
 
-// Between the fits the logarithm of the factor runs straight.
-double factorAt(const Fits& fits, double share)
+// Between the shares, and the Gaussian's `scale` at none, the logarithm of the factor runs straight.
+double factorAt(double share, double scale, const Factors& factors)
 {
-    const Fit* a = &fits.gaussian;
-    const Fit* b = fits.wide.data();
-    while (b->share < share && b != &fits.wide.back())
-        a = b++;
-    return a->factor * std::pow(b->factor / a->factor, (share - a->share) / (b->share - a->share));
+    int k = 0;
+    while (k + 1 < TRIED_TAILS && SHARES[k] < share)
+        ++k;
+    const double before = k > 0 ? SHARES[k - 1] : 0, from = k > 0 ? factors[k - 1] : scale;
+    return from * std::pow(factors[k] / from, (share - before) / (SHARES[k] - before));
 }
 
 // Sigma and Gamma go where the share goes, and the factors are over them.
-void rescale(Noise& noise, Factors& factors, double share, const TriedSums& sums, const Fit& gaussian, int n)
+void rescale(Noise& noise, Factors& factors, double share, double scale)
 {
-    improve(factors, sums, n);
-    const Fits fits = fitsOf(factors, sums, gaussian, n);
-    const double factor = factorAt(fits, share), change = factor / factorAt(fits, noise.tails.share);
+    const double factor = factorAt(share, scale, factors),
+                 change = factor / factorAt(noise.tails.share, scale, factors);
     noise.Sigma *= change;
     noise.Gamma *= change;
     for (double& entry : factors)
@@ -189,10 +178,12 @@ void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
     if (tails.share == 0 && !scaleKnown_)
         factors_ = firstFactors(scale, tails, c, n_);
     const TriedSums found = sumsAt(factors_, tails, c, n_);
-    const Fit gaussian{0, scale, scaleKnown_ ? 0.5 * sums.c : n_ * std::log(scale) + n_};
-    const double share = meanShare(fitsOf(factors_, found, gaussian, n_));
-    if (!scaleKnown_)
-        rescale(noise, factors_, share, found, gaussian, n_);
+    const double gaussian = scaleKnown_ ? 0.5 * sums.c : n_ * std::log(scale) + n_;
+    const double share = meanShare(gaussian, costsOf(factors_, found, n_));
+    if (!scaleKnown_) {
+        improve(factors_, found, n_);
+        rescale(noise, factors_, share, scale);
+    }
     tails.share = share;
 }
 
