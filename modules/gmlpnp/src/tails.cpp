@@ -208,15 +208,19 @@ TailInformation tailInformation(const Tails& tails)
 {
     if (tails.share == 0)
         return {1, 1};
-    // Means over c by u = 1 / (1 + c / (dof spread2)): two points of Gauss and Legendre in each interval.
-    constexpr int INTERVALS = 32;
-    const double reach = tails.dof * tails.spread2, offset = 0.5 / std::sqrt(3.);
+    // Means over c by v with v^2 = 1 / (1 + c / (dof spread2)), of which a Student-t is a polynomial: Gauss and
+    // Legendre.
+    constexpr int INTERVALS = 16;
+    constexpr double NODES[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+    constexpr double WEIGHTS[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+    const double reach = tails.dof * tails.spread2;
     TailInformation sum{0, 0};
     for (int k = 0; k < INTERVALS; ++k)
-        for (const double side : {-offset, offset}) {
-            const double u = (k + 0.5 + side) / INTERVALS, c = reach * (1 / u - 1);
+        for (int j = 0; j < 4; ++j) {
+            const double v = (k + 0.5 + NODES[j] / 2) / INTERVALS, dv = WEIGHTS[j] / 2 / INTERVALS;
+            const double c = reach * (1 / (v * v) - 1), dc = 2 * reach / (v * v * v) * dv;
             const TailTerms at = tailTerms(tails, c);
-            const double mass = at.g / 2 * reach / (u * u) / (2 * INTERVALS), wwc = at.w * at.w * c;
+            const double wwc = at.w * at.w * c, mass = at.g / 2 * dc;
             sum.pose += mass * wwc / 2;
             sum.noise += mass * wwc * c / 8;
         }

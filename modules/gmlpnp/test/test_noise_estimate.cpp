@@ -87,7 +87,7 @@ TEST(Gmlpnp_NoiseEstimate, informationIsThatOfEachPoint)
                     (0.2 + 0.2 + 1) / (0.8 + 1) * 0.5 * depths * product.trace();  // (nu+2)/(nu+4), nu = 5
             }
     }
-    EXPECT_TRUE(matrixNear(noiseInformation(data, pose, noise), expected, 1e-4 * expected.norm()));
+    EXPECT_TRUE(matrixNear(noiseInformation(data, pose, noise), expected, 1e-9 * expected.norm()));
 }
 
 // The mean of each entry's error over many problems, and of the square of error over standard error. The bounds: four

@@ -59,8 +59,8 @@ TEST(Gmlpnp_Tails, informationIsThatOfTheDensity)
 {
     for (int nu : {2, 3, 10}) {
         const TailInformation at = tailInformation({1, 1, nu});
-        EXPECT_NEAR(at.pose, (nu + 2.) / (nu + 4), 3e-4);
-        EXPECT_NEAR(at.noise, (nu + 2.) / (nu + 4), 3e-4);
+        EXPECT_NEAR(at.pose, (nu + 2.) / (nu + 4), 1e-9);
+        EXPECT_NEAR(at.noise, (nu + 2.) / (nu + 4), 1e-9);
     }
     EXPECT_EQ(tailInformation({}).pose, 1);
     cv::RNG rng = testRng();
