@@ -39,6 +39,32 @@ Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const
                      {stopping.maxRounds, stopping.tolerance, false, stopping.last});
 }
 
+// L has optima that are no poses anybody wants: noise as large as the object explains any rays once the camera is
+// inside it, or a flat object is seen edge on. Such an end is far from the isotropic pose and fits worse than chance
+// can explain.
+bool ranAway(const Correspondences& data, const Pose& start, const Estimate& end)
+{
+    constexpr double NEAR = 0.15;    // rad
+    constexpr double UNLIKELY = 12;  // of chi-squared of 6 degrees of freedom: twice its mean
+    const bool wrongPoints = end.noise.tails.share > 0;  // they spoil the isotropic pose, not this one
+    if (wrongPoints || (end.pose.R - start.R).squaredNorm() < 2 * NEAR * NEAR)
+        return false;
+    const Noise unit = isotropic(1, 0);
+    const double least = rayPass(data, start, unit).misfit, excess = rayPass(data, end.pose, unit).misfit - least;
+    return !((2 * data.size() - 6) * excess <= UNLIKELY * least);
+}
+
+// The alternation from a pose that another one came to. Where it runs away from the isotropic pose it is done again
+// from there, with a noise that keeps its shape.
+Estimate contend(const Correspondences& data, const Pose& start, const Noise& unshaped, NoiseKind kind,
+                 const Pose& from, const Noise& noise, const Stopping& stopping)
+{
+    const Estimate found = alternate(data, from, noise, kind, stopping);
+    if (kind == NoiseKind::BEARING || !ranAway(data, start, found))
+        return found;
+    return alternate(data, start, unshaped, NoiseKind::ISOTROPIC, stopping);
+}
+
 struct Rival
 {
     Estimate estimate;
@@ -219,7 +245,7 @@ Estimate estimateOther(const Correspondences& data, const Pose& start, const Kno
     fitting.last = LastSums::COMPARE;
     fitting.otherKnown = true;
     const std::array<Rival, 2> rivals = {Rival{alternate(data, start, without, NoiseKind::FIXED, fitting), 0},
-                                         Rival{alternate(data, start, with, estimated, fitting), PENALTY}};
+                                         Rival{contend(data, start, with, estimated, start, with, fitting), PENALTY}};
     return averaged(data, rivals.data(), 2, stopping.last);
 }
 
@@ -258,13 +284,12 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
     fitting.last = race.count > 1 ? LastSums::COMPARE : LastSums::NOTHING;
     for (int k = 0; k < race.count; ++k) {
         const Contender& next = race.contenders[k];
+        Noise unshaped = isotropic(next.start.a, next.start.b);
+        unshaped.tails = stopping.tails;
         // A kind starts where the one before it ended.
-        Noise noise = isotropic(next.start.a, next.start.b);
-        noise.tails = stopping.tails;
-        if (k > 0)
-            noise = inShapeOf(rivals[k - 1].estimate, split.meanDepth2, next.start);
         const Pose& from = k == 0 ? start : rivals[k - 1].estimate.pose;
-        rivals[k] = {alternate(fitted, from, noise, next.kind, fitting), next.penalty, next.prior};
+        const Noise noise = k == 0 ? unshaped : inShapeOf(rivals[k - 1].estimate, split.meanDepth2, next.start);
+        rivals[k] = {contend(fitted, start, unshaped, next.kind, from, noise, fitting), next.penalty, next.prior};
         rivals[k].estimate.evidence = race.evidence;
     }
     int count = race.count;

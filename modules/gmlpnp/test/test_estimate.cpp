@@ -44,6 +44,19 @@ Scene bearingScene(cv::RNG& rng, int n, double pixels)
     return scene;
 }
 
+// Rays, in radians, to a cube 75 times its side away.
+Scene farScene(cv::RNG& rng, int n, double noise)
+{
+    std::vector<Vector3d> points(n);
+    for (Vector3d& X : points)
+        X = Vector3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.)) + Vector3d(0, 0, 150);
+    Scene scene = exactScene(rng, points);
+    for (int i = 0; i < n; ++i)
+        for (int a = 0; a < 2; ++a)
+            scene.rays(i, a) += rng.gaussian(noise);
+    return scene;
+}
+
 // A small object with much noise: the kinds of noise may end in minima far apart, and the mean of two poses is then
 // none. What comes out is about as likely as one of the fits it is made of.
 TEST(Gmlpnp_Estimate, farMinimaAreNotAveraged)
@@ -52,13 +65,7 @@ TEST(Gmlpnp_Estimate, farMinimaAreNotAveraged)
     const Stopping stopping = defaultStopping(false);
     for (int k = 0; k < 200; ++k) {
         const int n = 20 + k;
-        std::vector<Vector3d> points(n);
-        for (Vector3d& X : points)
-            X = Vector3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), rng.uniform(-1., 1.)) + Vector3d(0, 0, 150);
-        Scene scene = exactScene(rng, points);
-        for (int i = 0; i < n; ++i)
-            for (int a = 0; a < 2; ++a)
-                scene.rays(i, a) += rng.gaussian(0.0025);
+        const Scene scene = farScene(rng, n, 0.0025);
         const Problem at = problem(scene);
         const IsotropicSplit split = splitResiduals(at.data, at.start);
         const auto costOf = [&](NoiseKind kind, const IsotropicNoise& noise, double b) {
@@ -71,6 +78,22 @@ TEST(Gmlpnp_Estimate, farMinimaAreNotAveraged)
         const Estimate found = estimateMarginal(at.data, at.start, {}, {}, stopping);
         EXPECT_LE(found.sums.L, worst + std::max(5., 0.05 * n)) << "problem " << k;
     }
+}
+
+// Object noise as large as the object explains any rays, once the camera is inside it: L is least where no pose is.
+TEST(Gmlpnp_Estimate, doesNotRunAwayFromTheIsotropicPose)
+{
+    cv::RNG rng = testRng();
+    const double noise = 0.0025, known = 0.001;  // rad; less than there is leaves the rest to object noise
+    int farther = 0;
+    for (int k = 0; k < 300; ++k) {
+        const Problem at = problem(farScene(rng, 150, noise));
+        for (const KnownNoise& Gamma : {KnownNoise(), KnownNoise(known * known * Matrix3d::Identity())}) {
+            const Pose pose = estimateMarginal(at.data, at.start, {}, Gamma, defaultStopping(false)).pose;
+            farther += (pose.R - at.start.R).norm() > 0.3;
+        }
+    }
+    EXPECT_EQ(0, farther);
 }
 
 TEST(Gmlpnp_Estimate, choosesTheNoiseThatIsThere)
