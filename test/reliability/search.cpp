@@ -28,10 +28,37 @@ Pose withTranslation(const Correspondences& data, const Matrix3d& R)
     return {R, A.ldlt().solve(b)};
 }
 
+constexpr double SAME = 1e-4;  // rad, and share of the distance
+
 bool near(const Pose& a, const Pose& b)
 {
-    constexpr double SAME = 1e-4;  // rad
     return (a.R - b.R).norm() < SAME;
+}
+
+const Noise UNIT{Matrix3d::Identity(), Matrix3d::Zero(), {}};
+
+// The next step of Gauss-Newton would not move it.
+bool atRest(const Pose& pose, const RaySums& sums)
+{
+    const Vector6d step = sums.H.ldlt().solve(sums.g);
+    return step.head<3>().norm() < SAME && step.tail<3>().norm() < SAME * pose.t.norm();
+}
+
+struct Descent
+{
+    Pose pose;
+    bool ended;  // at a minimum; along an edge-on view it creeps
+};
+
+Descent descend(const Correspondences& data, Pose pose)
+{
+    constexpr int DESCENTS = 20;
+    for (int k = 0; k < DESCENTS; ++k) {
+        pose = isotropicPose(data, pose);
+        if (atRest(pose, rayPass(data, pose, UNIT)))
+            return {pose, true};
+    }
+    return {pose, false};
 }
 
 }  // namespace
@@ -69,8 +96,7 @@ double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind,
 // What speaks against a minimum of isotropic noise, and nothing but the minimum decides; infinite where it is no pose.
 double costOf(const Correspondences& data, const Pose& minimum)
 {
-    const Noise unit{Matrix3d::Identity(), Matrix3d::Zero(), {}};
-    const RaySums sums = rayPass(data, minimum, unit);
+    const RaySums sums = rayPass(data, minimum, UNIT);
     if (!minimum.t.allFinite() || !determined(sums.H) || 2 * sums.inFront <= data.size())
         return std::numeric_limits<double>::infinity();
     const IsotropicSplit split = splitResiduals(data, minimum);
@@ -88,17 +114,18 @@ double aboveSearch(const Problem& problem, const Pose& pose, int starts)
     const Correspondences data(problem.points, problem.rays);
     if (data.degenerate())
         return 0;
-    const Pose ours = isotropicPose(data, data.fromObject(pose));
+    const Pose ours = descend(data, data.fromObject(pose)).pose;
     const double cost = costOf(data, ours);
     double best = cost;
     cv::RNG rng = experiments::trialRng("search", problem.n, 0);
     std::vector<Pose> minima = {ours};
     for (int k = 0; k < starts; ++k) {
-        const Pose minimum = isotropicPose(data, withTranslation(data, synthetic::randomRotation(rng)));
-        if (std::any_of(minima.begin(), minima.end(), [&](const Pose& known) { return near(known, minimum); }))
+        const Descent found = descend(data, withTranslation(data, synthetic::randomRotation(rng)));
+        const auto isThat = [&](const Pose& known) { return near(known, found.pose); };
+        if (!found.ended || std::any_of(minima.begin(), minima.end(), isThat))
             continue;
-        minima.push_back(minimum);
-        best = std::min(best, costOf(data, minimum));
+        minima.push_back(found.pose);
+        best = std::min(best, costOf(data, found.pose));
     }
     return cost - best;
 }

@@ -51,8 +51,7 @@ struct Estimate
     int rounds = 0;
     bool converged = false;
     double evidence = std::numeric_limits<double>::infinity();  //!< by how much the kind of noise beats the next, nat
-    double penalty = 0;                  //!< of its kind of noise, nat: kinds and minima are chosen by L + penalty
-    Matrix6d spread = Matrix6d::Zero();  //!< covariance of xi between the kinds of noise
+    Matrix6d spread = Matrix6d::Zero();                         //!< covariance of xi between the kinds of noise
 };
 
 /** The alternation: one Gauss-Newton step for the pose and one update of the noise from the sums of one pass. */

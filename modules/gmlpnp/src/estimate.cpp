@@ -16,8 +16,6 @@ namespace {
 constexpr double PENALTY = 2;
 // Models less likely than this share of the best do not move the pose.
 constexpr double NEGLIGIBLE = 1e-3;
-// Fewer points leave too few degrees of freedom for a covariance: isotropic noise.
-constexpr int MIN_POINTS_COVARIANCE = 6;
 
 Noise isotropic(double a, double b)
 {
@@ -44,8 +42,8 @@ Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const
 // can explain.
 bool ranAway(const Correspondences& data, const Pose& start, const Estimate& end)
 {
-    constexpr double NEAR = 0.15;    // rad
-    constexpr double UNLIKELY = 12;  // of chi-squared of 6 degrees of freedom: twice its mean
+    constexpr double NEAR = 0.15;                        // rad
+    constexpr double UNLIKELY = 12;                      // of chi-squared of 6 degrees of freedom: twice its mean
     const bool wrongPoints = end.noise.tails.share > 0;  // they spoil the isotropic pose, not this one
     if (wrongPoints || (end.pose.R - start.R).squaredNorm() < 2 * NEAR * NEAR)
         return false;
@@ -122,7 +120,6 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, L
     const Rival& best = *std::min_element(rivals, rivals + count,
                                           [](const Rival& a, const Rival& b) { return a.posterior() < b.posterior(); });
     Estimate out = best.estimate;
-    out.penalty = best.penalty + best.prior;
     for (const Rival* rival = rivals; rival != rivals + count; ++rival)
         if (rival != &best)
             out.evidence = std::min(out.evidence, std::max(0., rival->L() - best.L()));

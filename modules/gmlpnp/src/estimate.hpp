@@ -14,6 +14,9 @@ namespace detail {
 /** A known noise in the solver's units; none: estimated. */
 using KnownNoise = std::optional<Matrix3d>;
 
+/** Fewer points leave too few degrees of freedom for a covariance: isotropic noise. */
+constexpr int MIN_POINTS_COVARIANCE = 6;
+
 /** Parts of many points (Correspondences::part), each larger than the one before it. They find the kind of noise and
 most of the way to its covariance and to the pose: the alternation runs on the first, a few passes over each of the
 others and over all points end it, and the sums are those of the last pass. None: the alternation runs on all. */

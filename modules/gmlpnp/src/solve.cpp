@@ -6,6 +6,7 @@
 
 #include "initial_pose.hpp"
 #include "noise_estimate.hpp"
+#include "rating.hpp"
 #include "solve.hpp"
 
 namespace cv {
@@ -119,13 +120,39 @@ bool samePose(const Pose& a, const Pose& b)
     return (a.R - b.R).norm() < SAME_POSE && (a.t - b.t).norm() < SAME_POSE * b.t.norm();
 }
 
-// The distinct poses that make sense, best first.
+// Whether the best minimum is chosen before the alternation; with a known noise that takes the pose that it leads to.
+bool chosenAsMinimum(const Correspondences& data, const Options& options)
+{
+    const bool known = options.Sigma || options.Gamma || data.hasKnown();
+    return options.method == SOLVEPNP_GMLPNP_MARGINAL && !options.everyMinimum && !known &&
+           data.size() >= MIN_POINTS_COVARIANCE;
+}
+
+void sortByRating(const Correspondences& data, bool robust, std::vector<Pose>& minima)
+{
+    struct Rated
+    {
+        Pose pose;
+        double cost;
+    };
+    std::vector<Rated> rated;
+    for (const Pose& pose : minima)
+        rated.push_back({pose, costOfMinimum(data, pose, robust)});
+    std::sort(rated.begin(), rated.end(), [](const Rated& a, const Rated& b) { return a.cost < b.cost; });
+    std::transform(rated.begin(), rated.end(), minima.begin(), [](const Rated& each) { return each.pose; });
+}
+
+// The distinct poses that make sense, best first; one where the best minimum has been chosen.
 std::vector<Estimate> fit(const Correspondences& data, const Options& options, const Parts& parts)
 {
-    const std::vector<Pose> starts = startingPoses(parts.empty() ? data : parts.front(), options);
+    const Correspondences& first = parts.empty() ? data : parts.front();
+    std::vector<Pose> starts = startingPoses(first, options);
+    const bool chosen = chosenAsMinimum(first, options);
+    if (chosen && starts.size() > 1)
+        sortByRating(first, options.stopping.robust, starts);
     Options fitting = options;
     // The last sums are needed to compare with other poses and for all that is said about this one.
-    const bool needed = options.extras || options.guess || starts.size() > 1;
+    const bool needed = options.extras || options.guess || (starts.size() > 1 && !chosen);
     fitting.stopping.last = needed ? LastSums::AT_POSE : LastSums::NOTHING;
     fitting.stopping.sampled = !options.extras;
     std::vector<Estimate> found;
@@ -134,8 +161,11 @@ std::vector<Estimate> fit(const Correspondences& data, const Options& options, c
         if (options.guess)
             keepGuessIfBetter(data, data.fromObject(*options.guess), candidate);
         const auto known = [&](const Estimate& other) { return samePose(other.pose, candidate.pose); };
-        if (sound(candidate, data.size()) && std::none_of(found.begin(), found.end(), known))
-            found.push_back(candidate);
+        if (!sound(candidate, data.size()) || std::any_of(found.begin(), found.end(), known))
+            continue;
+        found.push_back(candidate);
+        if (chosen)
+            break;
     }
     std::sort(found.begin(), found.end(), [](const Estimate& a, const Estimate& b) { return a.sums.L < b.sums.L; });
     return found;

@@ -188,7 +188,9 @@ else in it is set.
 CV_EXPORTS_W int solveBatch(InputArrayOfArrays objectPoints, InputArrayOfArrays rays,
                             CV_OUT std::vector<Result>& results, const Params& params = Params());
 
-/** @brief Every distinct pose that fits, best first: both poses of a small flat object, for instance.
+/** @brief Every distinct pose that fits, best first: both poses of a small flat object, for instance. Where two cost
+nearly the same solve() may return the second: it chooses before the poses are refined, by the noise that explains the
+residuals at each.
 @param objectPoints N points, object frame.
 @param imagePoints N pixels.
 @param camera the lens.
