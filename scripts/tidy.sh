@@ -16,8 +16,8 @@ bash scripts/install_deps.sh clang clang-tidy cppcheck python3
 # Clang's flags; precompiled headers would have to be built first.
 cmake --preset clang -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 
-# /usr/bin/python3 by name: run-clang-tidy is part of Debian's clang-tidy and needs no other interpreter.
-/usr/bin/python3 /usr/bin/run-clang-tidy -quiet -p build/tidy -j"$(nproc)" "${1:-.*}"
+# Not the files that the build generates. /usr/bin/python3 by name: run-clang-tidy is part of Debian's clang-tidy and needs no other interpreter.
+/usr/bin/python3 /usr/bin/run-clang-tidy -quiet -p build/tidy -j"$(nproc)" "${1:-^$PWD/(modules|samples|test|python)/}"
 
 # Without the headers of OpenCV and Eigen: cppcheck would spend its time there. The macros of OpenCV's bindings are empty.
 cppcheck --quiet --std=c++17 --language=c++ --enable=warning,performance,portability --inline-suppr \

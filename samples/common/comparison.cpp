@@ -62,9 +62,9 @@ void printErrorTable(std::ostream& out, const Comparison& comparison, size_t fir
     std::vector<std::string> title = {"method", "solved", "failed"};
     for (size_t q = first; q < last; ++q) {
         title.push_back(titleOf(comparison.quantities[q]) + " mean [95 %]");
-        title.push_back("median");
+        title.emplace_back("median");
     }
-    title.push_back("time [us]");
+    title.emplace_back("time [us]");
     Table table(title);
     for (size_t m = 0; m < comparison.methods.size(); ++m) {
         const size_t solved = solvedPairs(comparison, m);
@@ -108,7 +108,7 @@ void printDifferenceTable(std::ostream& out, const Comparison& comparison, size_
     std::vector<std::string> title = {comparison.methods[own].name + " minus", "pairs"};
     for (size_t q = first; q < last; ++q) {
         title.push_back(titleOf(comparison.quantities[q]) + " [95 %]");
-        title.push_back("%");
+        title.emplace_back("%");
     }
     Table table(title);
     for (size_t m = 0; m < comparison.methods.size(); ++m) {

@@ -64,8 +64,9 @@ void drawPanel(Canvas& canvas, const Comparison& comparison, size_t quantity)
     const Curves curves = curvesOf(comparison, quantity);
     if (!(curves.end > 0.0))
         return;  // nothing solved, or exact data
-    const cv::Rect2d frame(kLeft + kColumn * static_cast<double>(quantity % kPanelsPerRow),
-                           kTop + kRow * static_cast<double>(quantity / kPanelsPerRow), kPanelWidth, kPanelHeight);
+    const size_t row = quantity / kPanelsPerRow, column = quantity % kPanelsPerRow;
+    const cv::Rect2d frame(kLeft + kColumn * static_cast<double>(column), kTop + kRow * static_cast<double>(row),
+                           kPanelWidth, kPanelHeight);
     const Map map = fill({0.0, 0.0, curves.end, 100.0}, frame);
     const Quantity& q = comparison.quantities[quantity];
     drawAxes(canvas, map, frame, q.name + " error [" + q.unit + "]", "pairs [%]");
@@ -89,8 +90,9 @@ cv::Mat drawComparison(const Comparison& comparison, const std::string& title)
     for (size_t quantity = 0; quantity < panels; ++quantity)
         drawPanel(canvas, comparison, quantity);
     for (size_t m = 0; m < comparison.methods.size(); ++m) {
-        const cv::Point2d at(kLeft + 200.0 * static_cast<double>(m % kLegendsPerRow),
-                             bottom - 10.0 + kLegendRow * static_cast<double>(m / kLegendsPerRow));
+        const size_t row = m / kLegendsPerRow, column = m % kLegendsPerRow;
+        const cv::Point2d at(kLeft + 200.0 * static_cast<double>(column),
+                             bottom - 10.0 + kLegendRow * static_cast<double>(row));
         canvas.line(at, at + cv::Point2d(24.0, 0.0), colour::ofCurve(m), widthOf(comparison.methods[m]));
         canvas.text(comparison.methods[m].name, at + cv::Point2d(32.0, 0.0), colour::kBlack);
     }

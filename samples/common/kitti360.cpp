@@ -49,7 +49,7 @@ std::vector<double> numbersAfter(const std::string& path, const std::string& key
             continue;
         std::vector<double> numbers;
         if (!numbersOf(words, numbers) || numbers.size() != count)
-            throw std::runtime_error(path + ": " + key + " expected " + std::to_string(count) + " numbers");
+            throw std::runtime_error(cv::format("%s: %s expected %zu numbers", path.c_str(), key.c_str(), count));
         return numbers;
     }
     throw std::runtime_error(path + ": no " + (key.empty() ? "first line" : key));

@@ -60,9 +60,9 @@ Scene drawn(cv::RNG& rng, const View& view, int n)
 // Of one problem; not a number: no pose.
 struct Recovered
 {
-    Matrix3d error[2], standardError[2];  // Sigma and Gamma, of the largest true variance
-    double sum;                           // of both across the viewing direction at mean depth, over the true one
-    bool both;                            // whether the result says that there are both
+    std::array<Matrix3d, 2> error, standardError;  // Sigma and Gamma, of the largest true variance
+    double sum;  // of both across the viewing direction at mean depth, over the true one
+    bool both;   // whether the result says that there are both
 };
 
 double across(const Matrix3d& C)

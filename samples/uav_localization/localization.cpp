@@ -139,12 +139,14 @@ void drawHeight(Canvas& canvas, const Localization& found, const Offsets& offset
 void drawLegend(Canvas& canvas, const Localization& found, const std::vector<Method>& methods)
 {
     for (size_t m = 0; m < methods.size(); ++m) {
-        const cv::Point2d at(kZoom.x + 230.0 * static_cast<double>(m % 2),
-                             kLegend + kLegendRow * static_cast<double>(m / 2));
+        const size_t row = m / 2, column = m % 2;
+        const cv::Point2d at(kZoom.x + 230.0 * static_cast<double>(column),
+                             kLegend + kLegendRow * static_cast<double>(row));
         canvas.disc(at, 4.0, colour::ofCurve(m));
         canvas.text(methods[m].name, at + cv::Point2d(14.0, 0.0), colour::kBlack);
     }
-    const double y = kLegend + kLegendRow * static_cast<double>((methods.size() + 1) / 2);
+    const size_t rows = (methods.size() + 1) / 2;
+    const double y = kLegend + kLegendRow * static_cast<double>(rows);
     if (found.hasTruth) {
         cross(canvas, {kZoom.x, y}, 5.0, colour::kBlack, 2.0);
         canvas.text("truth", {kZoom.x + 14.0, y}, colour::kBlack);

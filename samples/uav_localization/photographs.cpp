@@ -11,7 +11,7 @@ namespace samples {
 
 std::string required(const Arguments& arguments, const std::string& name)
 {
-    const std::string value = arguments.get<std::string>(name);
+    std::string value = arguments.get<std::string>(name);
     if (value.empty())
         throw std::runtime_error("--" + name + " is needed");
     return value;

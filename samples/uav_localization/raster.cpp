@@ -59,7 +59,7 @@ std::string wktOf(const OGRSpatialReference& system)
 {
     char* text = nullptr;
     system.exportToWkt(&text);
-    const std::string wkt = text != nullptr ? text : "";
+    std::string wkt = text != nullptr ? text : "";
     CPLFree(text);
     return wkt;
 }

@@ -21,6 +21,7 @@
 #define CANNOT_COUNT 1
 #else
 #define CANNOT_COUNT 0
+// NOLINTBEGIN(bugprone-reserved-identifier): names of the library, by which its own functions are still reached.
 extern "C" {
 void* __libc_malloc(size_t size);
 void* __libc_calloc(size_t count, size_t size);
@@ -28,6 +29,7 @@ void* __libc_realloc(void* block, size_t size);
 void* __libc_memalign(size_t alignment, size_t size);
 void __libc_free(void* block);
 }
+// NOLINTEND(bugprone-reserved-identifier)
 #endif
 
 namespace {

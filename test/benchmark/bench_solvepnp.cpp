@@ -191,7 +191,7 @@ void printBatch()
         const Problem problem = makeProblem(n, i);
         cv::Mat directions;
         cv::gmlpnp::CameraModel::pinhole(K)->unproject(problem.imagePoints, directions);
-        points.push_back(cv::Mat(problem.objectPoints, true));
+        points.emplace_back(problem.objectPoints, true);
         rays.push_back(directions);
     }
     std::printf(

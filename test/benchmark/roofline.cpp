@@ -175,7 +175,8 @@ double operationsPerPoint(const Correspondences& data, const Loop& loop)
         return operations;
     };
     const int n = data.size();
-    return static_cast<double>(count(n, many) - count(n / 2, few)) / (n - n / 2);
+    const int half = n / 2;
+    return static_cast<double>(count(n, many) - count(half, few)) / (n - half);
 }
 
 // --- Time ---
@@ -196,19 +197,19 @@ double leastSeconds(int calls, Function call)
 }
 
 #if defined(__GNUC__) && defined(__x86_64__)
-typedef double Four __attribute__((vector_size(32)));
+using Four = double __attribute__((vector_size(32)));
 
 // Ten chains hide the latency of a fused multiplication and addition.
 __attribute__((target("avx2,fma"))) void multiplyAdd(int rounds, double* out)
 {
     Four chains[10], factor = {0.5, 0.5, 0.5, 0.5}, term = {1, 1, 1, 1};
-    for (int k = 0; k < 10; ++k)
-        chains[k] = term;
+    for (Four& chain : chains)
+        chain = term;
     for (int r = 0; r < rounds; ++r)
-        for (int k = 0; k < 10; ++k)
-            chains[k] = chains[k] * factor + term;
-    for (int k = 0; k < 10; ++k)
-        *out += chains[k][0] + chains[k][1] + chains[k][2] + chains[k][3];
+        for (Four& chain : chains)
+            chain = chain * factor + term;
+    for (const Four& chain : chains)
+        *out += chain[0] + chain[1] + chain[2] + chain[3];
 }
 
 double peak()

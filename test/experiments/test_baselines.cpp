@@ -46,8 +46,8 @@ std::vector<Matrix3d> rayCovariancesOf(const Scene& scene, const Data& data)
         Eigen::Matrix<double, 3, 2> J;  // of the unit ray by the point of the image plane
         J = m.z() * (Matrix3d::Identity() - m * m.transpose()).leftCols<2>();
         const double depth = (scene.truth * data.points.col(i)).norm();
-        covariances.push_back(J * uncertainty.image[i] * J.transpose() +
-                              scene.truth.R * scene.Sigma * scene.truth.R.transpose() / (depth * depth));
+        covariances.emplace_back(J * uncertainty.image[i] * J.transpose() +
+                                 scene.truth.R * scene.Sigma * scene.truth.R.transpose() / (depth * depth));
     }
     return covariances;
 }
@@ -309,8 +309,8 @@ Uncertainty unequalUncertainty(int n)
 {
     Uncertainty uncertainty;
     for (int i = 0; i < n; ++i) {
-        uncertainty.object.push_back((i % 2 ? 0.04 : 0.0004) * Matrix3d::Identity());
-        uncertainty.image.push_back(Matrix2d::Zero());
+        uncertainty.object.emplace_back((i % 2 ? 0.04 : 0.0004) * Matrix3d::Identity());
+        uncertainty.image.emplace_back(Matrix2d::Zero());
     }
     return uncertainty;
 }

@@ -341,7 +341,7 @@ cv::_InputOutputArray Output::ref()
 
 bool Output::unchanged() const
 {
-    return fixed_ ? std::memcmp(vec_.val, vecBefore_.val, sizeof vec_.val) == 0 : sameBits(mat_, matBefore_);
+    return fixed_ ? sameBits(cv::Mat(vec_), cv::Mat(vecBefore_)) : sameBits(mat_, matBefore_);
 }
 
 bool Output::finite() const

@@ -20,6 +20,7 @@ const cv::Vec3d UNTOUCHED(1.25, -2.5, 3.75);
 
 bool same(const cv::Vec3d& a, const cv::Vec3d& b)
 {
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bits are meant, of NaN too
     return std::memcmp(a.val, b.val, sizeof(a.val)) == 0;
 }
 

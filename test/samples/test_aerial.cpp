@@ -22,7 +22,7 @@ using namespace samples;
 
 std::string written(const std::string& name, const std::string& text)
 {
-    const std::string path = ::testing::TempDir() + "gmlpnp_aerial_" + name;
+    std::string path = ::testing::TempDir() + "gmlpnp_aerial_" + name;
     std::ofstream(path) << text;
     return path;
 }
@@ -81,9 +81,10 @@ TEST(ExteriorOrientation, AgreesWithThePosesOfTheCorrespondences)
     const std::pair<std::string, std::string> sets[] = {{"aerial_ngi", "ngi_xyz_opk.csv"},
                                                         {"aerial_odm", "odm_xyz_opk.csv"}};
     for (const auto& [folder, table] : sets) {
-        const auto poses = readOrientations(root + "/" + folder + "/" + table);
+        const std::filesystem::path path = std::filesystem::path(root) / folder;
+        const auto poses = readOrientations((path / table).string());
         ASSERT_EQ(poses.size(), 4u);
-        for (const auto& entry : std::filesystem::directory_iterator(root + "/" + folder + "/correspondences")) {
+        for (const auto& entry : std::filesystem::directory_iterator(path / "correspondences")) {
             const CorrespondenceSet set = readCorrespondences(entry.path().string());
             const std::string name = set.name().substr(set.name().find("__") + 2);
             // The tables round angles to a thousandth of a degree, the files northings to a centimetre.

@@ -37,7 +37,7 @@ const cv::Matx33d kRectification = poseFromRotationVector({0.01, -0.02, 0.005}, 
 //! A calibration folder of a made-up vehicle, in a folder of this test's own.
 std::string writeCalibration()
 {
-    const std::string root =
+    std::string root =
         ::testing::TempDir() + "gmlpnp_kitti_" + ::testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(root + "/calibration");
     const cv::Matx33d& R = kRectification;

@@ -18,7 +18,7 @@ std::vector<Vector3d> rotationVectors()
     std::vector<Vector3d> vectors = {Vector3d::Zero()};
     for (double angle : {1e-12, 1e-8, 9e-5, 1.1e-4, 1e-2, 1.0, 3.0, CV_PI - 1e-4, CV_PI - 1e-8, CV_PI - 1e-12})
         for (int k = 0; k < 5; ++k)
-            vectors.push_back(angle * gaussian3(rng).normalized());
+            vectors.emplace_back(angle * gaussian3(rng).normalized());
     return vectors;
 }
 

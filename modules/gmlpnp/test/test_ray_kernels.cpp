@@ -87,7 +87,7 @@ void expectSame(const RaySums& a, const RaySums& b, int n)
 
 TEST(Gmlpnp_RayKernels, scalarOnesAreThereAndTheBestComesFirst)
 {
-    const std::vector<const RayKernels*> all = availableKernels();
+    const std::vector<const RayKernels*>& all = availableKernels();
     ASSERT_FALSE(all.empty());
     EXPECT_STREQ("scalar", all.back()->name);
     EXPECT_EQ(all.front(), &rayKernels(all.front()->lanes));

@@ -234,7 +234,7 @@ Correspondences turnedTo(const Matrix3d& R, const Scene& scene, Pose& truth)
         for (int k = 0; k < 3; ++k)
             rays(i, k) = m(k);
     }
-    const Correspondences data(scene.objectPoints, rays);
+    Correspondences data(scene.objectPoints, rays);
     truth = data.fromObject({R, turn * scene.truth.t});
     return data;
 }

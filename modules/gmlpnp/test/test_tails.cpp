@@ -40,9 +40,11 @@ TEST(Gmlpnp_Tails, densityAndWeightBelongTogether)
 {
     for (const Tails& tails : {Tails{}, Tails{0.1}, Tails{0.3, 9, 3}, Tails{1, 1, 5}}) {
         double mass = 0;
-        constexpr double STEP = 1e-4;
-        for (double u = STEP / 2; u < 1; u += STEP)  // c = (1 - u) / u
-            mass += tailTerms(tails, (1 - u) / u).g / 2 / (u * u) * STEP;
+        constexpr int STEPS = 10000;
+        for (int k = 0; k < STEPS; ++k) {
+            const double u = (k + 0.5) / STEPS;  // c = (1 - u) / u
+            mass += tailTerms(tails, (1 - u) / u).g / 2 / (u * u) / STEPS;
+        }
         EXPECT_NEAR(mass, 1, 1e-5);
         for (double c : {0.1, 2., 30.}) {
             const double h = 1e-5 * c;

@@ -27,7 +27,7 @@ ControlPoints::ControlPoints(const Matrix3Xd& points)
 Rows rowsOf(const ControlPoints& control, const Data& data, int i)
 {
     Rows rows(2, 3 * control.count());
-    for (int j = 0; j < control.count(); ++j)
+    for (Eigen::Index j = 0; j < control.count(); ++j)
         rows.middleCols<3>(3 * j) << control.alphas(j, i), 0, -control.alphas(j, i) * data.image(0, i),  //
             0, control.alphas(j, i), -control.alphas(j, i) * data.image(1, i);
     return rows;
@@ -35,7 +35,8 @@ Rows rowsOf(const ControlPoints& control, const Data& data, int i)
 
 Eigen::MatrixXd kernel(const ControlPoints& control, const Data& data, const std::vector<Matrix2d>& weights)
 {
-    Eigen::MatrixXd N = Eigen::MatrixXd::Zero(3 * control.count(), 3 * control.count());
+    const Eigen::Index unknowns = 3 * control.object.cols();
+    Eigen::MatrixXd N = Eigen::MatrixXd::Zero(unknowns, unknowns);
     for (int i = 0; i < data.size(); ++i) {
         const Rows rows = rowsOf(control, data, i);
         if (weights.empty())
@@ -79,10 +80,10 @@ struct Distances
 Distances distances(const ControlPoints& control, const Eigen::MatrixXd& kernel)
 {
     Distances pairs;
-    for (int a = 0; a < control.count(); ++a)
-        for (int b = a + 1; b < control.count(); ++b) {
+    for (Eigen::Index a = 0; a < control.count(); ++a)
+        for (Eigen::Index b = a + 1; b < control.count(); ++b) {
             const Eigen::MatrixXd D = kernel.middleRows<3>(3 * a) - kernel.middleRows<3>(3 * b);
-            pairs.forms.push_back(D.transpose() * D);
+            pairs.forms.emplace_back(D.transpose() * D);
             pairs.squared.push_back((control.object.col(a) - control.object.col(b)).squaredNorm());
         }
     return pairs;

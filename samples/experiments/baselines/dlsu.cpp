@@ -89,7 +89,7 @@ Matrix3d polished(const Matrix9d& M, Matrix3d R)
     constexpr int STEPS = 10;
     for (int step = 0; step < STEPS; ++step) {
         Eigen::Matrix<double, 9, 3> J;
-        for (int k = 0; k < 3; ++k)
+        for (Eigen::Index k = 0; k < 3; ++k)
             J.middleRows<3>(3 * k) = -cv::gmlpnp::detail::hat(R.col(k));
         R = cv::gmlpnp::detail::expSO3(-(J.transpose() * M * J).ldlt().solve(J.transpose() * (M * columns(R)))) * R;
     }
@@ -104,8 +104,8 @@ std::optional<Pose> bestPose(const Data& data, const std::vector<Matrix2d>& weig
     double least = std::numeric_limits<double>::infinity();
     for (const Matrix3d& turn : turns) {
         Matrix9d K = Matrix9d::Zero();  // columns(R turn) = K columns(R)
-        for (int a = 0; a < 3; ++a)
-            for (int b = 0; b < 3; ++b)
+        for (Eigen::Index a = 0; a < 3; ++a)
+            for (Eigen::Index b = 0; b < 3; ++b)
                 K.block<3, 3>(3 * a, 3 * b) = turn(b, a) * Matrix3d::Identity();
         const Matrix9d M = K.transpose() * form.M * K / form.M.trace();
         for (const Vector3d& s : realRoots(gradient(M))) {

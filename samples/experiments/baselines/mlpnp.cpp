@@ -62,7 +62,7 @@ Eigen::MatrixXd normalMatrix(const Data& data, const Tangents& tangents, const F
         const Vector3d q =
             frame.principal.axes.transpose() * (data.points.col(i) - frame.principal.centroid) / frame.scale;
         const Eigen::Matrix<double, 2, 3> B = tangents.bases[i].transpose();
-        for (int k = 0; k < columns; ++k)
+        for (Eigen::Index k = 0; k < columns; ++k)
             A.middleCols<3>(3 * k) = q(k) * B;
         A.rightCols<3>() = B;
         N += A.transpose() * tangents.weights[i] * A;

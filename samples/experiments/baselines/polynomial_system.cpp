@@ -86,7 +86,7 @@ constexpr int MACAULAY_DEGREE = 7, REDUCED = 27, ALL = 120, CUBIC = 3;
 struct Layout
 {
     std::vector<Exponents> monomials;
-    std::array<int, 8 * 8 * 8> indices{};
+    std::array<int, 512> indices{};  // of 8 exponents each
 
     Layout()
     {
@@ -149,7 +149,7 @@ std::vector<Vector3d> realRoots(const std::array<Polynomial, 3>& cubics)
             Eigen::Vector3cd(v(layout.index(1, 0, 0)), v(layout.index(0, 1, 0)), v(layout.index(0, 0, 1))) /
             v(layout.index(0, 0, 0));
         if (s.allFinite() && s.imag().norm() < REAL * (1 + s.real().norm()))
-            roots.push_back(s.real());
+            roots.emplace_back(s.real());
     }
     return roots;
 }

@@ -25,12 +25,13 @@ public:
     Polynomial derivative(int variable) const;
 
     friend Polynomial operator+(Polynomial a, const Polynomial& b);
-    friend Polynomial operator-(Polynomial a, const Polynomial& b) { return std::move(a) + -1 * b; }
+    friend Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + -1 * b; }
     friend Polynomial operator*(double factor, Polynomial a);
     friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
 
 private:
-    std::array<double, (DEGREE + 1) * (DEGREE + 1) * (DEGREE + 1)> coefficients{};
+    static constexpr size_t POWERS = DEGREE + 1;
+    std::array<double, POWERS * POWERS * POWERS> coefficients{};
 };
 
 /** The real common roots of three cubics: at most 27, by the Macaulay resultant with a linear form that tells them

@@ -30,7 +30,7 @@ std::vector<Matrix2d> algebraicWeights(const Data& data, const Pose& hypothesis,
     for (int i = 0; i < data.size(); ++i) {
         const double depth = (hypothesis * data.points.col(i)).z();
         const Reprojection at = reproject(data, i, hypothesis);
-        weights.push_back((depth * depth * residualCovariance(at, hypothesis, uncertainty, i)).inverse());
+        weights.emplace_back((depth * depth * residualCovariance(at, hypothesis, uncertainty, i)).inverse());
     }
     return weights;
 }
