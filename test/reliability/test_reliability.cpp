@@ -53,12 +53,17 @@ TEST(Reliability, AFewThousandProblems)
         EXPECT_TRUE(failure.what != "exception") << "problem " << failure.index;
 }
 
-// Found by the sweep: one kind of noise led nowhere, and the covariance of a success was not a number.
-TEST(Reliability, NoSuccessWithoutItsCovariance)
+// Found by the sweep: one kind of noise led nowhere, and the covariance of a success was not a number (seeds 4 and 6);
+// the object noise of the published method collapsed, and its least variance was negative by rounding (seed 9).
+TEST(Reliability, NoSuccessWithoutItsCovariances)
 {
-    constexpr int FOUND[][2] = {{4, 10085}, {4, 11905}, {6, 17097}};  // seed, index
+    constexpr int FOUND[][2] = {{4, 10085},  {4, 11905},  {6, 17097},  {9, 35716},
+                                {9, 109481}, {9, 216066}, {9, 904747}, {9, 995646}};  // seed, index
     for (const auto& found : FOUND)
-        EXPECT_FALSE(judge(allSolvers()[SEARCHED_SOLVER], randomProblem(found[0], found[1])).badResult) << found[1];
+        for (const Solver& solver : allSolvers())
+            if (solver.ours) {
+                EXPECT_FALSE(judge(solver, randomProblem(found[0], found[1])).badResult) << found[1];
+            }
 }
 
 // Found by the sweep: anisotropic noise makes another minimum of isotropic noise the best by up to 1.8 times.

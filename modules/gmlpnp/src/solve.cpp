@@ -78,7 +78,9 @@ void addExtras(const Correspondences& data, const Estimate& found, const Options
         L = costAt(estimate.noise);
     }
     solution.cost += L - found.sums.L - data.logAngularScales();
-    solution.noise.Sigma = area * estimate.noise.Sigma;
+    // Algorithm 1 lets it collapse: what rounding has left of the least variance may be negative.
+    const Matrix3d Sigma = published ? floored(estimate.noise.Sigma, TINY_FLOOR) : estimate.noise.Sigma;
+    solution.noise.Sigma = area * Sigma;
     solution.noise.Gamma = estimate.noise.Gamma;
     if (!options.Sigma && !published)
         solution.objectError = area * estimate.objectError;
