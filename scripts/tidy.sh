@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 if [[ "${1:-}" == --help ]]; then
   cat <<'HELP'
 Usage: scripts/tidy.sh [regular expression of paths]
-Runs clang-tidy over all compiled files (or those that match) and cppcheck over the module; any finding fails. Needs no
+Runs clang-tidy over the files of modules, samples, test and python (or those that match) and cppcheck over the module; any finding fails. Needs no
 build: only its commands, in build/tidy.
 HELP
   exit 0
@@ -16,7 +16,8 @@ bash scripts/install_deps.sh clang clang-tidy cppcheck python3
 # Clang's flags; precompiled headers would have to be built first.
 cmake --preset clang -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 
-# Not the files that the build generates. /usr/bin/python3 by name: run-clang-tidy is part of Debian's clang-tidy and needs no other interpreter.
+# /usr/bin/python3 by name: run-clang-tidy is part of Debian's clang-tidy and needs no other interpreter. Files that the
+# build generates are left out.
 /usr/bin/python3 /usr/bin/run-clang-tidy -quiet -p build/tidy -j"$(nproc)" "${1:-^$PWD/(modules|samples|test|python)/}"
 
 # Without the headers of OpenCV and Eigen: cppcheck would spend its time there. The macros of OpenCV's bindings are empty.

@@ -34,7 +34,7 @@ const char* const kSolveAll = R"(solveAll(objectPoints, imagePoints, camera[, pa
 solveAll(objectPoints, imagePoints, cameraMatrix, distCoeffs[, params]) -> retval, results
 
 Every distinct pose that fits, best first: both poses of a small flat object, for instance. Arguments as in solve();
-a guess leaves only the pose it leads to.
+a guess leaves only the pose it leads to. Where costs differ by a few nats solve() may return another than the first.
 retval: the number of results; 0 where the data give no pose.
 results: tuple of Result, ascending cost.)";
 

@@ -77,7 +77,8 @@ bool searchable(const Problem& problem)
 
 namespace {
 
-// The least L with noise of one kind at a pose: the alternation with the pose held, to its end.
+// The least L with noise of one kind at a pose: the alternation with the pose held, to its end. Not that of rating.cpp,
+// which stops early: by how much that matters is what the search shows.
 double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind, const IsotropicNoise& start)
 {
     constexpr int ROUNDS = 100;  // MM moves L by less than a hundredth of a nat then
@@ -114,18 +115,20 @@ double aboveSearch(const Problem& problem, const Pose& pose, int starts)
     const Correspondences data(problem.points, problem.rays);
     if (data.degenerate())
         return 0;
-    const Pose ours = descend(data, data.fromObject(pose)).pose;
+    const Pose found = data.fromObject(pose);
+    const Descent own = descend(data, found);
+    const Pose ours = own.ended ? own.pose : found;
     const double cost = costOf(data, ours);
     double best = cost;
     cv::RNG rng = experiments::trialRng("search", problem.n, 0);
     std::vector<Pose> minima = {ours};
     for (int k = 0; k < starts; ++k) {
-        const Descent found = descend(data, withTranslation(data, synthetic::randomRotation(rng)));
-        const auto isThat = [&](const Pose& known) { return near(known, found.pose); };
-        if (!found.ended || std::any_of(minima.begin(), minima.end(), isThat))
+        const Descent other = descend(data, withTranslation(data, synthetic::randomRotation(rng)));
+        const auto isThat = [&](const Pose& known) { return near(known, other.pose); };
+        if (!other.ended || std::any_of(minima.begin(), minima.end(), isThat))
             continue;
-        minima.push_back(found.pose);
-        best = std::min(best, costOf(data, found.pose));
+        minima.push_back(other.pose);
+        best = std::min(best, costOf(data, other.pose));
     }
     return cost - best;
 }

@@ -61,8 +61,9 @@ TEST(Reliability, NoSuccessWithoutItsCovariances)
                                 {9, 109481}, {9, 216066}, {9, 904747}, {9, 995646}};  // seed, index
     for (const auto& found : FOUND)
         for (const Solver& solver : allSolvers())
-            if (solver.ours) {
-                EXPECT_FALSE(judge(solver, randomProblem(found[0], found[1])).badResult) << found[1];
+            if (solver.fullResult) {
+                EXPECT_FALSE(judge(solver, randomProblem(found[0], found[1])).badResult)
+                    << solver.name << ", seed " << found[0] << ", problem " << found[1];
             }
 }
 

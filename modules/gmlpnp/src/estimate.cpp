@@ -38,29 +38,31 @@ Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const
 }
 
 // L has optima that are no poses anybody wants: noise as large as the object explains any rays once the camera is
-// inside it, or a flat object is seen edge on. Such an end is far from the isotropic pose and fits worse than chance
-// can explain.
+// inside it, or a flat object is seen edge on. Such an end is far from the isotropic pose and fits clearly worse.
 bool ranAway(const Correspondences& data, const Pose& start, const Estimate& end)
 {
     constexpr double NEAR = 0.15;                        // rad
-    constexpr double UNLIKELY = 12;                      // of chi-squared of 6 degrees of freedom: twice its mean
+    constexpr double WORSE = 12;                         // twice the mean of a chi-squared of 6 degrees of freedom
     const bool wrongPoints = end.noise.tails.share > 0;  // they spoil the isotropic pose, not this one
     if (wrongPoints || (end.pose.R - start.R).squaredNorm() < 2 * NEAR * NEAR)
         return false;
     const Noise unit = isotropic(1, 0);
     const double least = rayPass(data, start, unit).misfit, excess = rayPass(data, end.pose, unit).misfit - least;
-    return !((2 * data.size() - 6) * excess <= UNLIKELY * least);
+    return !((2 * data.size() - 6) * excess <= WORSE * least);
 }
 
-// The alternation from a pose that another one came to. Where it runs away from the isotropic pose it is done again
-// from there, with a noise that keeps its shape.
+// The alternation from a pose and a noise near its end. Where it runs away from the isotropic pose it is done again
+// from there, with an isotropic noise that stays, and no tails: anisotropy would look like them.
 Estimate contend(const Correspondences& data, const Pose& start, const Noise& unshaped, NoiseKind kind,
                  const Pose& from, const Noise& noise, const Stopping& stopping)
 {
-    const Estimate found = alternate(data, from, noise, kind, stopping);
-    if (kind == NoiseKind::BEARING || !ranAway(data, start, found))
-        return found;
-    return alternate(data, start, unshaped, NoiseKind::ISOTROPIC, stopping);
+    Estimate found = alternate(data, from, noise, kind, stopping);
+    if (ranAway(data, start, found)) {
+        Stopping plain = stopping;
+        plain.robust = false;
+        found = alternate(data, start, unshaped, NoiseKind::ISOTROPIC, plain);
+    }
+    return found;
 }
 
 struct Rival

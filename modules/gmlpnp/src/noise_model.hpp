@@ -64,7 +64,7 @@ struct IsotropicSplit
 };
 CV_EXPORTS IsotropicSplit splitResiduals(const Correspondences& data, const Pose& pose);
 
-/** Which noises are estimated; ISOTROPIC: one variance, found beforehand. */
+/** Which noises are estimated; ISOTROPIC: found beforehand, and without a shape. */
 enum class NoiseKind
 {
     FIXED,

@@ -17,6 +17,7 @@ namespace {
 double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind, const IsotropicNoise& start,
                   bool robust)
 {
+    const int fewest = robust ? 2 : 1;  // tails are not looked for before
     constexpr int ROUNDS = 20;
     constexpr double TOLERANCE = 0.1;  // nat a round
     std::vector<double> c(robust ? data.size() : 0);
@@ -27,7 +28,7 @@ double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind,
         const RaySums sums =
             rayPass(data, pose, noise, {LeverArm::CORRECTED, NO_PRODUCTS, robust ? c.data() : nullptr});
         const double last = std::exchange(L, sums.L);
-        if (round == ROUNDS || std::abs(last - L) < TOLERANCE)
+        if (round == ROUNDS || (round >= fewest && std::abs(last - L) < TOLERANCE))
             return L;
         noise = updatedNoise(kind, noise, sums, pose.R, data.size());
         if (robust && round > 0)  // anisotropy looks like tails
@@ -41,7 +42,8 @@ double costOfMinimum(const Correspondences& data, const Pose& minimum, bool robu
 {
     const IsotropicSplit split = splitResiduals(data, minimum);
     const auto cost = [&](NoiseKind kind, const IsotropicNoise& start) {
-        return fittedCost(data, minimum, kind, start, robust) + priorAgainst(kind, split);
+        const double against = fittedCost(data, minimum, kind, start, robust) + priorAgainst(kind, split);
+        return std::isnan(against) ? std::numeric_limits<double>::infinity() : against;
     };
     return std::min(cost(NoiseKind::OBJECT, split.object), cost(NoiseKind::BEARING, split.bearing));
 }

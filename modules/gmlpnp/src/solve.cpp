@@ -67,20 +67,20 @@ void addExtras(const Correspondences& data, const Estimate& found, const Options
     const bool published = found.kind == NoiseKind::PUBLISHED || options.method == SOLVEPNP_GMLPNP;
     NoiseEstimate estimate =
         estimatedNoise(data, found, options.Sigma.has_value() || published, options.Gamma.has_value() || published);
+    if (published)  // it collapses: what rounding has left of the least variance may be negative
+        estimate.noise.Sigma = floored(estimate.noise.Sigma, TINY_FLOOR);
     std::vector<double> c(n);
     const auto costAt = [&](const Noise& noise) {
         return rayPass(data, found.pose, noise, {LeverArm::CORRECTED, NO_PRODUCTS, c.data()}).L;
     };
     double L = costAt(estimate.noise);
     // At the noise that is returned, too, a guess is not made worse.
-    if (options.guess && rayPass(data, data.fromObject(*options.guess), estimate.noise).L < L) {
+    if (options.guess && !published && rayPass(data, data.fromObject(*options.guess), estimate.noise).L < L) {
         estimate.noise = found.noise;
         L = costAt(estimate.noise);
     }
     solution.cost += L - found.sums.L - data.logAngularScales();
-    // Algorithm 1 lets it collapse: what rounding has left of the least variance may be negative.
-    const Matrix3d Sigma = published ? floored(estimate.noise.Sigma, TINY_FLOOR) : estimate.noise.Sigma;
-    solution.noise.Sigma = area * Sigma;
+    solution.noise.Sigma = area * estimate.noise.Sigma;
     solution.noise.Gamma = estimate.noise.Gamma;
     if (!options.Sigma && !published)
         solution.objectError = area * estimate.objectError;
@@ -122,7 +122,8 @@ bool samePose(const Pose& a, const Pose& b)
     return (a.R - b.R).norm() < SAME_POSE && (a.t - b.t).norm() < SAME_POSE * b.t.norm();
 }
 
-// Whether the best minimum is chosen before the alternation; with a known noise that takes the pose that it leads to.
+// Whether the best minimum is chosen before the alternation. A known noise may be far from the isotropic one of the
+// minima, few points have none but that, and the published one has no likelihood to rate by.
 bool chosenAsMinimum(const Correspondences& data, const Options& options)
 {
     const bool known = options.Sigma || options.Gamma || data.hasKnown();

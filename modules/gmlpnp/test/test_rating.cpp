@@ -65,7 +65,7 @@ TEST(Gmlpnp_Rating, isTheLeastCostOfEitherNoise)
 TEST(Gmlpnp_Rating, choosesTheMinimumThatIsRefined)
 {
     cv::RNG rng = testRng();
-    int several = 0, otherThanTheCost = 0;
+    int several = 0, otherThanTheCost = 0, otherThanTheEnd = 0;
     for (int k = 0; k < 400; ++k) {
         const Scene scene = squareScene(rng, 6 + k % 40);
         const Correspondences data(scene.objectPoints, scene.rays);
@@ -84,9 +84,13 @@ TEST(Gmlpnp_Rating, choosesTheMinimumThatIsRefined)
             return rotationAngle(a.pose.R, found.R) < rotationAngle(b.pose.R, found.R);
         });
         EXPECT_EQ(best - minima.begin(), nearest - minima.begin()) << k;
+        std::vector<cv::gmlpnp::Result> all;
+        ASSERT_GE(cv::gmlpnp::solveAll(scene.objectPoints, scene.imagePoints, paperCamera(), cv::noArray(), all), 1);
+        otherThanTheEnd += rotationAngle(poseOf(all[0].rvec, {}).R, found.R) > 0.05;
     }
     EXPECT_GT(several, 100);
     EXPECT_GT(otherThanTheCost, 3);
+    EXPECT_GT(otherThanTheEnd, 3);
 }
 
 }  // namespace

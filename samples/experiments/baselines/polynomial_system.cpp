@@ -82,11 +82,12 @@ namespace {
 
 // Monomials up to degree seven: first the 27 without a cube, then those with one.
 constexpr int MACAULAY_DEGREE = 7, REDUCED = 27, ALL = 120, CUBIC = 3;
+constexpr size_t EXPONENTS = MACAULAY_DEGREE + 1;
 
 struct Layout
 {
     std::vector<Exponents> monomials;
-    std::array<int, 512> indices{};  // of 8 exponents each
+    std::array<int, EXPONENTS * EXPONENTS * EXPONENTS> indices{};
 
     Layout()
     {

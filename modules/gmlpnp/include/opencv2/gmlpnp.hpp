@@ -57,7 +57,7 @@ enum Status
 enum NoiseModel
 {
     NOISE_GIVEN = 0,  //!< nothing was estimated: the noise was known
-    NOISE_ISOTROPIC,  //!< of the object points, one variance: fewer than six points judge no more
+    NOISE_ISOTROPIC,  //!< one variance, no shape: fewer than six points, or noise as large as the object
     NOISE_OBJECT,     //!< of the object points only
     NOISE_BEARING,    //!< of the bearings only
     NOISE_BOTH        //!< of both
@@ -125,7 +125,8 @@ struct CV_EXPORTS_W_SIMPLE Result
     //! than 3 means that objectNoise is no estimate of the noise along its null space.
     CV_PROP_RW int objectNoiseRank;
     //! One of #NoiseModel: the likeliest explanation of the residuals, by which the pose was weighed. Where the depths
-    //! tell the two noises apart, objectNoise and bearingNoise are both estimated whatever it says.
+    //! tell the two noises apart, objectNoise and bearingNoise are both estimated whatever it says, #NOISE_ISOTROPIC
+    //! apart.
     CV_PROP_RW int noiseModel;
     //! By how much the likelihood prefers it to the next best [nat]; infinity where there was no choice. Below about 3
     //! the data cannot tell; the pose is then the mean over the explanations, weighed by their likelihoods (and for an
@@ -188,9 +189,9 @@ else in it is set.
 CV_EXPORTS_W int solveBatch(InputArrayOfArrays objectPoints, InputArrayOfArrays rays,
                             CV_OUT std::vector<Result>& results, const Params& params = Params());
 
-/** @brief Every distinct pose that fits, best first: both poses of a small flat object, for instance. Where two cost
-nearly the same solve() may return the second: it chooses before the poses are refined, by the noise that explains the
-residuals at each.
+/** @brief Every distinct pose that fits, best first: both poses of a small flat object, for instance. Where costs
+differ by a few nats solve() may return another than the first: it chooses before the poses are refined, by the noise
+that explains the residuals at each.
 @param objectPoints N points, object frame.
 @param imagePoints N pixels.
 @param camera the lens.
@@ -339,7 +340,7 @@ CV_EXPORTS_W bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints
                                  InputArray distCoeffs, OutputArray rvec, OutputArray tvec, OutputArray inliers,
                                  const UsacParams& params = UsacParams());
 
-/** @brief Drop-in for cv::solvePnPGeneric: every distinct pose, best first.
+/** @brief Drop-in for cv::solvePnPGeneric: every distinct pose, best first as in solveAll().
 @param objectPoints N points, object frame, in any layout of solvePnP().
 @param imagePoints N pixels.
 @param cameraMatrix 3x3 camera matrix, any numeric depth.
