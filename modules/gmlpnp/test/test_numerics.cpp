@@ -198,7 +198,7 @@ TEST(Gmlpnp_Numerics, instructionSetsAgree)
     for (int n : {6, 50, 1001}) {
         const Scene scene = paperScene(rng, n, 0.05, 1);
         const Correspondences data(scene.objectPoints, scene.rays);
-        const Noise noise{1e-3 * Matrix3d::Identity(), 1e-6 * Matrix3d::Identity(), 0.1};
+        const Noise noise{1e-3 * Matrix3d::Identity(), 1e-6 * Matrix3d::Identity(), {0.1}};
         const auto poseBy = [&](const RayKernels& kernels) {
             Pose pose = data.fromObject(scene.truth);
             for (int k = 0; k < 10; ++k) {

@@ -128,7 +128,7 @@ TEST(Gmlpnp_RayKernels, productsAreThoseOfQ)
     cv::RNG rng = testRng();
     const Correspondences data = randomData(rng, 23, false);
     const Pose pose = somePose(rng);
-    const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), 0};
+    const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), {0}};
     for (bool sampled : {false, true}) {
         Matrix6d object = Matrix6d::Zero(), bearing = object, mixed = object;
         for (int i = 0; i < data.size(); ++i) {

@@ -275,7 +275,7 @@ TEST(Gmlpnp_RayPass, gradientAndHessianAreNumericDerivatives)
     const Matrix3d some = randomNoise(rng, 0.2) + 0.01 * Matrix3d::Identity(), none = Matrix3d::Zero();
     for (const Matrix3d& R : rotations)
         for (const Noise& noise :
-             {Noise{some, none, 0}, Noise{some, none, 0.2}, Noise{1e-8 * Matrix3d::Identity(), some, 0}}) {
+             {Noise{some, none, {0}}, Noise{some, none, {0.2}}, Noise{1e-8 * Matrix3d::Identity(), some, {0}}}) {
             Pose truth;
             const Correspondences data = turnedTo(R, exactScene(rng, surroundingPoints(rng, 30)), truth);
             Vector6d xi;
@@ -304,7 +304,7 @@ TEST(Gmlpnp_RayPass, leverArmAsGivenHoldsTheNoiseInTheCameraFrame)
         for (int side : {0, 1}) {
             const Pose moved = perturbed(pose, (side ? h : -h) * Vector6d::Unit(k));
             const Matrix3d turn = moved.R.transpose() * pose.R;
-            c[side] = rayPass(data, moved, {turn * noise.Sigma * turn.transpose(), noise.Gamma, 0}).misfit;
+            c[side] = rayPass(data, moved, {turn * noise.Sigma * turn.transpose(), noise.Gamma, {0}}).misfit;
         }
         gradient(k) = (c[1] - c[0]) / (2 * h);
     }
@@ -322,7 +322,7 @@ TEST(Gmlpnp_RayPass, gradientHasNoMeanAtTheTruth)
     for (bool isObject : {true, false}) {
         const Noise noise{isObject ? object : Matrix3d(1e-12 * Matrix3d::Identity()),
                           isObject ? Matrix3d(Matrix3d::Zero()) : Matrix3d(bearing * bearing * Matrix3d::Identity()),
-                          0};
+                          {0}};
         const Matrix3d root = Eigen3d(object).operatorSqrt();
         Vector6d sum = Vector6d::Zero();
         Matrix6d information = Matrix6d::Zero();
@@ -336,7 +336,7 @@ TEST(Gmlpnp_RayPass, gradientHasNoMeanAtTheTruth)
             }
             const Correspondences data(points, rays);
             const double unit = 1 / (data.scale * data.scale);
-            const RaySums sums = rayPass(data, data.fromObject(scene.truth), {unit * noise.Sigma, noise.Gamma, 0});
+            const RaySums sums = rayPass(data, data.fromObject(scene.truth), {unit * noise.Sigma, noise.Gamma, {0}});
             // In the caller's units, so that trials add up: delta' = delta / scale.
             Vector6d units;
             units << 1, 1, 1, Vector3d::Constant(1 / data.scale);
