@@ -6,8 +6,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 if [[ "${1:-}" == --help ]]; then
   cat <<'HELP'
 Usage: scripts/tidy.sh [regular expression of paths]
-Runs clang-tidy over the files of modules, samples, test and python (or those that match) and cppcheck over the module; any finding fails. Needs no
-build: only its commands, in build/tidy.
+Runs clang-tidy over the files of modules, samples, test and python (or those that match) and cppcheck over the module;
+any finding fails. Needs no build: only its commands, in build/tidy.
 HELP
   exit 0
 fi

@@ -35,7 +35,7 @@ bool near(const Pose& a, const Pose& b)
     return (a.R - b.R).norm() < SAME;
 }
 
-const Noise UNIT{Matrix3d::Identity(), Matrix3d::Zero(), {}};
+const Noise UNIT = isotropic(1, 0);
 
 // The next step of Gauss-Newton would not move it.
 bool atRest(const Pose& pose, const RaySums& sums)
@@ -87,7 +87,7 @@ double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind,
     double least = std::numeric_limits<double>::infinity();
     std::vector<double> c(data.size());
     TailSearch tails(false, data.size());
-    Noise noise{start.a * Matrix3d::Identity(), start.b * Matrix3d::Identity(), {}};
+    Noise noise = isotropic(start.a, start.b);
     for (int k = 0; k < ROUNDS; ++k) {
         const RaySums sums = rayPass(data, pose, noise, {LeverArm::CORRECTED, NO_PRODUCTS, c.data()});
         least = std::min(least, sums.L);

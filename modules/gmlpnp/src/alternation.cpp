@@ -220,9 +220,7 @@ Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, 
 
 Pose isotropicPose(const Correspondences& data, const Pose& start)
 {
-    Noise unit;
-    unit.Sigma.setIdentity();
-    return alternate(data, start, unit, NoiseKind::FIXED, {30, 1e-12, false}).pose;
+    return alternate(data, start, isotropic(1, 0), NoiseKind::FIXED, {30, 1e-12, false}).pose;
 }
 
 }  // namespace detail

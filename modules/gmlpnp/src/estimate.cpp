@@ -17,11 +17,6 @@ constexpr double PENALTY = 2;
 // Models less likely than this share of the best do not move the pose.
 constexpr double NEGLIGIBLE = 1e-3;
 
-Noise isotropic(double a, double b)
-{
-    return {a * Matrix3d::Identity(), b * Matrix3d::Identity(), {}};
-}
-
 // A known noise may be singular, or zero; the determinants must not be.
 Matrix3d usable(const Matrix3d& known)
 {

@@ -55,6 +55,12 @@ struct IsotropicNoise
     double a, b, cost;
 };
 
+/** Sigma = a I, Gamma = b I, no tails. */
+inline Noise isotropic(double a, double b)
+{
+    return {a * Matrix3d::Identity(), b * Matrix3d::Identity(), {}};
+}
+
 /** Isotropic noises from the residuals at an isotropic pose: E 1/2 |v|^2 = a + b s^2. */
 struct IsotropicSplit
 {

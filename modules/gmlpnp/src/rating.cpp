@@ -22,7 +22,7 @@ double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind,
     constexpr double TOLERANCE = 0.1;  // nat a round
     std::vector<double> c(robust ? data.size() : 0);
     TailSearch tails(data.hasKnown(), data.size());
-    Noise noise{start.a * Matrix3d::Identity(), start.b * Matrix3d::Identity(), {}};
+    Noise noise = isotropic(start.a, start.b);
     double L = std::numeric_limits<double>::infinity();
     for (int round = 0;; ++round) {
         const RaySums sums =

@@ -15,14 +15,31 @@ namespace detail {
 
 namespace {
 
+// Whether the best minimum is chosen before the alternation. A known noise may be far from the isotropic one of the
+// minima, few points have none but that, and the published one has no likelihood to rate by.
+bool chosenAsMinimum(const Correspondences& data, const Options& options)
+{
+    const bool known = options.Sigma || options.Gamma || data.hasKnown();
+    return options.method == SOLVEPNP_GMLPNP_MARGINAL && !options.everyMinimum && !known &&
+           data.size() >= MIN_POINTS_COVARIANCE;
+}
+
+// Where the best minimum is chosen, the best first.
 std::vector<Pose> startingPoses(const Correspondences& data, const Options& options)
 {
     if (options.guess)
         return {isotropicPose(data, data.fromObject(*options.guess))};
     const double all = std::numeric_limits<double>::infinity();
+    std::vector<PoseCandidate> minima = initialPoses(data, options.everyMinimum ? all : INITIAL_COST_RATIO);
+    if (minima.size() > 1 && chosenAsMinimum(data, options)) {
+        for (PoseCandidate& minimum : minima)
+            minimum.cost = costOfMinimum(data, minimum.pose, options.stopping.robust);
+        std::sort(minima.begin(), minima.end(),
+                  [](const PoseCandidate& a, const PoseCandidate& b) { return a.cost < b.cost; });
+    }
     std::vector<Pose> poses;
-    for (const PoseCandidate& candidate : initialPoses(data, options.everyMinimum ? all : INITIAL_COST_RATIO))
-        poses.push_back(candidate.pose);
+    for (const PoseCandidate& minimum : minima)
+        poses.push_back(minimum.pose);
     return poses;
 }
 
@@ -122,37 +139,12 @@ bool samePose(const Pose& a, const Pose& b)
     return (a.R - b.R).norm() < SAME_POSE && (a.t - b.t).norm() < SAME_POSE * b.t.norm();
 }
 
-// Whether the best minimum is chosen before the alternation. A known noise may be far from the isotropic one of the
-// minima, few points have none but that, and the published one has no likelihood to rate by.
-bool chosenAsMinimum(const Correspondences& data, const Options& options)
-{
-    const bool known = options.Sigma || options.Gamma || data.hasKnown();
-    return options.method == SOLVEPNP_GMLPNP_MARGINAL && !options.everyMinimum && !known &&
-           data.size() >= MIN_POINTS_COVARIANCE;
-}
-
-void sortByRating(const Correspondences& data, bool robust, std::vector<Pose>& minima)
-{
-    struct Rated
-    {
-        Pose pose;
-        double cost;
-    };
-    std::vector<Rated> rated;
-    for (const Pose& pose : minima)
-        rated.push_back({pose, costOfMinimum(data, pose, robust)});
-    std::sort(rated.begin(), rated.end(), [](const Rated& a, const Rated& b) { return a.cost < b.cost; });
-    std::transform(rated.begin(), rated.end(), minima.begin(), [](const Rated& each) { return each.pose; });
-}
-
 // The distinct poses that make sense, best first; one where the best minimum has been chosen.
 std::vector<Estimate> fit(const Correspondences& data, const Options& options, const Parts& parts)
 {
     const Correspondences& first = parts.empty() ? data : parts.front();
-    std::vector<Pose> starts = startingPoses(first, options);
+    const std::vector<Pose> starts = startingPoses(first, options);
     const bool chosen = chosenAsMinimum(first, options);
-    if (chosen && starts.size() > 1)
-        sortByRating(first, options.stopping.robust, starts);
     Options fitting = options;
     // The last sums are needed to compare with other poses and for all that is said about this one.
     const bool needed = options.extras || options.guess || (starts.size() > 1 && !chosen);

@@ -189,8 +189,8 @@ void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
 
 bool TailSearch::areWild(const RaySums& sums) const
 {
-    constexpr double WILD =
-        5;  // mean of c^2 / 4 at the right scale: 2 for isotropic noise, 3 where it has one direction
+    // Mean of c^2 / 4 at the right scale: 2 for isotropic noise, 3 where it has one direction.
+    constexpr double WILD = 5;
     const double scale = sums.c / (2 * n_);
     return !scaleKnown_ && sums.c >= n_ && sums.c2 / 4 > WILD * n_ * scale * scale;
 }

@@ -31,7 +31,7 @@ double leastCost(const Correspondences& data, const Pose& pose, NoiseKind kind, 
 {
     const int n = data.size();
     const auto toObject = [&](const Matrix3d& M) { return Matrix3d(pose.R.transpose() * M * pose.R); };
-    Noise noise{start.a * Matrix3d::Identity(), start.b * Matrix3d::Identity(), {}};
+    Noise noise = isotropic(start.a, start.b);
     for (int k = 0; k < 500; ++k) {
         const RaySums sums = rayPass(data, pose, noise);
         if (kind == NoiseKind::OBJECT)
