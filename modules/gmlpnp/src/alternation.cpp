@@ -106,11 +106,142 @@ bool ledAstray(const RaySums& before, const RaySums& after, int n)
     return !(after.L <= before.L + std::max(RISE, ASTRAY_PER_POINT * n));
 }
 
-// By scoring where the last pass has summed the products for it.
-Noise nextNoise(const Estimate& now, Products products, int n)
+// Moves an estimate, which holds pose, noise and kind at the start, to its end.
+class Alternation
 {
-    return products ? scoredNoise(now.kind, now.noise, now.sums, now.pose.R)
-                    : updatedNoise(now.kind, now.noise, now.sums, now.pose.R, n);
+public:
+    Alternation(const Correspondences& data, const Stopping& stopping, Estimate& now)
+        : data_(data),
+          stopping_(stopping),
+          now_(now),
+          isotropicStart_(isIsotropic(now.noise)),
+          c_(stopping.robust ? data.size() : 0),
+          tails_(data.hasKnown() || isConstant(now.kind) || stopping.otherKnown, data.size()),
+          scoring_(data.size() >= SCORING_POINTS),
+          products_(stopping.near ? productsFor(now.kind) : NO_PRODUCTS)
+    {}
+
+    void run()
+    {
+        begin();
+        while (now_.rounds < stopping_.maxRounds && !now_.converged)
+            round();
+    }
+
+private:
+    void begin();
+    void round();
+    Noise nextNoise();
+    RaySums pass(const Estimate& at, Products products);
+    Products productsOfRound() const;
+    double tolerance() const;
+    bool endsHere(const Estimate& next, double promise) const;
+    void halve(Estimate& next, Vector6d xi);
+    void leaveScoring();
+
+    const Correspondences& data_;
+    const Stopping& stopping_;
+    Estimate& now_;
+    const bool isotropicStart_;
+    std::vector<double> c_;
+    TailSearch tails_;
+    bool scoring_;
+    Products products_;  // that the sums of now_ hold
+};
+
+void Alternation::begin()
+{
+    now_.sums = pass(now_, products_);
+    if (stopping_.robust && isotropicStart_ && tails_.areWild(now_.sums)) {
+        tails_.update(now_.noise, c_.data(), now_.sums);
+        now_.sums = pass(now_, products_);
+    }
+}
+
+void Alternation::round()
+{
+    const Vector6d xi = gaussNewtonStep(now_.sums);
+    Estimate next = now_;
+    next.rounds++;
+    next.noise = nextNoise();
+    next.pose = perturbed(now_.pose, xi);
+    const bool scored = products_ != NO_PRODUCTS;
+    if (!stopping_.near)
+        products_ = productsOfRound();
+    const double promise = promised(now_, next.noise, xi);
+    next.converged = settled(now_, next, promise, tolerance(), data_.size());
+    if (!endsHere(next, promise)) {
+        next.sums = pass(next, productsOfRound());
+        if (scored && ledAstray(now_.sums, next.sums, data_.size())) {
+            leaveScoring();
+            return;
+        }
+        halve(next, xi);
+    }
+    now_ = next;
+}
+
+// By scoring where the last pass has summed the products for it.
+Noise Alternation::nextNoise()
+{
+    Noise next = products_ ? scoredNoise(now_.kind, now_.noise, now_.sums, now_.pose.R)
+                           : updatedNoise(now_.kind, now_.noise, now_.sums, now_.pose.R, data_.size());
+    if (stopping_.robust && (now_.rounds > 0 || !isotropicStart_))  // anisotropy looks like tails
+        tails_.update(next, c_.data(), now_.sums);
+    return next;
+}
+
+// Near the end the products of the first pass will do.
+RaySums Alternation::pass(const Estimate& at, Products products)
+{
+    RaySums sums =
+        rayPass(data_, at.pose, at.noise,
+                {leverArmOf(now_.kind), products, stopping_.robust ? c_.data() : nullptr, stopping_.sampled});
+    if (stopping_.near && products != products_)
+        sums.QQ = now_.sums.QQ;
+    return sums;
+}
+
+Products Alternation::productsOfRound() const
+{
+    return scoring_ && !stopping_.near ? productsFor(now_.kind) : NO_PRODUCTS;
+}
+
+double Alternation::tolerance() const
+{
+    return (products_ ? SCORING_AHEAD : 1) * stopping_.tolerance;
+}
+
+// Whether the round is the last and what follows from its sums is not worth a pass.
+bool Alternation::endsHere(const Estimate& next, double promise) const
+{
+    return (next.converged || next.rounds == stopping_.maxRounds) &&
+           (stopping_.near || promise < goodEnough(stopping_.last));
+}
+
+// The step, as long as it goes wrong.
+void Alternation::halve(Estimate& next, Vector6d xi)
+{
+    const bool noiseChanged = !isConstant(now_.kind) || next.noise.tails.share != now_.noise.tails.share;
+    const auto fine = [&] { return accepted(noiseChanged, now_.sums, next.sums, data_.size()); };
+    for (int k = 0; k < STEP_HALVINGS && !fine(); ++k) {
+        xi *= 0.5;
+        next.pose = perturbed(now_.pose, xi);
+        next.sums = pass(next, productsOfRound());
+    }
+    if (!noiseChanged && !fine()) {
+        next = now_;  // no step falls any more: this is the minimum, to rounding
+        next.converged = true;
+    }
+}
+
+// The pass again where the round began: c_ is that of the pose then.
+void Alternation::leaveScoring()
+{
+    scoring_ = false;
+    products_ = NO_PRODUCTS;
+    now_.sums = pass(now_, NO_PRODUCTS);
+    now_.rounds++;
 }
 
 }  // namespace
@@ -118,67 +249,12 @@ Noise nextNoise(const Estimate& now, Products products, int n)
 Estimate alternate(const Correspondences& data, const Pose& start, const Noise& noise, NoiseKind kind,
                    const Stopping& stopping)
 {
-    const int n = data.size();
-    const bool isotropicStart = isIsotropic(noise);
-    TailSearch tails(data.hasKnown() || isConstant(kind) || stopping.otherKnown, n);
-    std::vector<double> c(stopping.robust ? n : 0);
-    PassOptions options{leverArmOf(kind), stopping.near ? productsFor(kind) : NO_PRODUCTS,
-                        stopping.robust ? c.data() : nullptr, stopping.sampled};
-    Estimate now;
-    now.pose = start;
-    now.noise = noise;
-    now.kind = kind;
-    const auto pass = [&](const Pose& pose, const Noise& at) {
-        RaySums sums = rayPass(data, pose, at, options);
-        if (stopping.near && !options.products)
-            sums.QQ = now.sums.QQ;
-        return sums;
-    };
-    now.sums = pass(start, noise);
-    if (stopping.robust && isotropicStart && tails.areWild(now.sums)) {
-        tails.update(now.noise, c.data(), now.sums);
-        now.sums = pass(start, now.noise);
-    }
-    bool scoring = n >= SCORING_POINTS;
-    Products products = options.products;  // that the sums of `now` hold
-    while (now.rounds < stopping.maxRounds && !now.converged) {
-        Vector6d xi = gaussNewtonStep(now.sums);
-        Estimate next = now;
-        next.rounds++;
-        const bool scored = products != NO_PRODUCTS;
-        next.noise = nextNoise(now, products, n);
-        options.products = scoring && !stopping.near ? productsFor(kind) : NO_PRODUCTS;
-        if (!stopping.near)
-            products = options.products;
-        if (stopping.robust && (now.rounds > 0 || !isotropicStart))  // anisotropy looks like tails
-            tails.update(next.noise, c.data(), now.sums);
-        next.pose = perturbed(now.pose, xi);
-        const double promise = promised(now, next.noise, xi);
-        next.converged = settled(now, next, promise, (products ? SCORING_AHEAD : 1) * stopping.tolerance, n);
-        const bool last = next.converged || next.rounds == stopping.maxRounds;
-        if (last && (stopping.near || promise < goodEnough(stopping.last)))
-            return next;
-        const bool noiseChanged = !isConstant(kind) || next.noise.tails.share != now.noise.tails.share;
-        next.sums = pass(next.pose, next.noise);
-        if (scored && ledAstray(now.sums, next.sums, n)) {
-            scoring = false;
-            products = options.products = NO_PRODUCTS;
-            now.sums = pass(now.pose, now.noise);  // c is that of the pose again
-            now.rounds++;
-            continue;
-        }
-        for (int k = 0; k < STEP_HALVINGS && !accepted(noiseChanged, now.sums, next.sums, n); ++k) {
-            xi *= 0.5;
-            next.pose = perturbed(now.pose, xi);
-            next.sums = pass(next.pose, next.noise);
-        }
-        if (!noiseChanged && !accepted(noiseChanged, now.sums, next.sums, n)) {
-            now.converged = true;  // no step falls any more: this is the minimum, to rounding
-            break;
-        }
-        now = next;
-    }
-    return now;
+    Estimate estimate;
+    estimate.pose = start;
+    estimate.noise = noise;
+    estimate.kind = kind;
+    Alternation(data, stopping, estimate).run();
+    return estimate;
 }
 
 namespace {
