@@ -103,7 +103,7 @@ Point2d Distortion::apply(const Point2d& u, Matx22d& J) const
 bool Distortion::contains(const Point2d& u) const
 {
     const double r = hypotenuse(u);
-    if (r < safeRadius)
+    if (r < safeRadius || r == 0)
         return true;
     if (isRadial || !(r < foldRadius))
         return false;

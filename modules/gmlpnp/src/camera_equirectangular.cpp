@@ -31,9 +31,9 @@ public:
 
     bool unprojectPoint(const Point2d& pixel, Vec3d& ray, Matx32d* jacobian) const override
     {
-        if (!(std::isfinite(pixel.x) && pixel.y >= -0.5 && pixel.y <= size.height - 0.5))
-            return false;
         const double longitude = (pixel.x + 0.5) * perColumn - CV_PI, latitude = (pixel.y + 0.5) * perRow - CV_PI / 2;
+        if (!(std::isfinite(longitude) && pixel.y >= -0.5 && pixel.y <= size.height - 0.5))
+            return false;
         const double cl = std::cos(longitude), sl = std::sin(longitude);
         const double cb = std::cos(latitude), sb = std::sin(latitude);
         ray = Vec3d(cb * sl, sb, cb * cl);

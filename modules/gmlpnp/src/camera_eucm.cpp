@@ -56,10 +56,9 @@ public:
         if (!unitVector(point, m))
             return false;
         const double rho = divisor(m);
-        const Point2d p(m[0] / rho, m[1] / rho);
         if (!(m[2] > -w * distance(m) && rho > 0))
             return false;
-        return k.pixelOf(p, pixel);
+        return k.pixelOf({m[0] / rho, m[1] / rho}, pixel);
     }
 
     void angularScales(const Vec3d* rays, int count, double* scales) const override

@@ -254,7 +254,10 @@ String textOf(const String& filename)
     if (size < 0 || static_cast<size_t>(size) > kLargestFile)
         parseError("is not a calibration file");
     file.seekg(0);
-    String text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    String text(static_cast<size_t>(size) + 1, '\0');
+    text.resize(static_cast<size_t>(file.read(&text[0], size + 1).gcount()));
+    if (text.size() > static_cast<size_t>(size))  // a device: it has no size, and some no end
+        parseError("is not a calibration file");
     if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
         text.erase(0, 3);
     const size_t start = text.find_first_not_of(" \t\r\n");

@@ -91,8 +91,10 @@ public:
 
     bool projectPoint(const Vec3d& point, Point2d& pixel) const override
     {
+        if (!(point[2] > 0) || !std::isfinite(point[2]))
+            return false;
         Point2d p(point[0] / point[2], point[1] / point[2]);
-        if (!(point[2] > 0) || !std::isfinite(point[2]) || !isFinite(p))
+        if (!isFinite(p))
             return false;
         if (!distortion.isNone()) {
             Matx22d J;

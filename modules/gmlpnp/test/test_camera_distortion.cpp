@@ -189,6 +189,19 @@ TEST(Gmlpnp_CameraDistortion, fold_of_a_barrel)
     EXPECT_FALSE(distortion.invert({0, edge * (1 + 1e-9)}, u, J));
 }
 
+// However short the way to the fold is: at the centre there is no distortion.
+TEST(Gmlpnp_CameraDistortion, the_centre_is_always_in_the_domain)
+{
+    for (const double p : {0., 0.1, 0.95, 100.}) {
+        const Distortion distortion({0, 0, p, p, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+        EXPECT_TRUE(distortion.contains({0, 0})) << p;
+        Point2d u(7, 7);
+        Matx22d J;
+        EXPECT_TRUE(distortion.invert({0, 0}, u, J)) << p;
+        EXPECT_EQ(Point2d(0, 0), u) << p;
+    }
+}
+
 TEST(Gmlpnp_CameraDistortion, jacobian)
 {
     const double h = 2e-4;

@@ -173,6 +173,21 @@ TEST(Gmlpnp_CameraFactories, pixels_beyond_all_numbers_are_none)
     }
 }
 
+TEST(Gmlpnp_CameraFactories, rays_of_pixels_beyond_all_numbers_are_unit_or_none)
+{
+    constexpr double HUGE_PIXEL = std::numeric_limits<double>::max();
+    const Matx33d tiny = matrixK(1e-29, 1e-29, 320, 240);
+    for (const auto& lens :
+         {CameraModel::pinhole(tiny), CameraModel::pinhole(tiny, Vec4d(-0.1, 0.01, 0.001, 0.001)),
+          CameraModel::fisheye(tiny), CameraModel::omnidir(tiny, noArray(), 1), CameraModel::eucm(tiny, 0.5, 1),
+          CameraModel::doubleSphere(tiny, -0.2, 0.5), CameraModel::equirectangular({1, 1000})})
+        for (const Point2d& pixel : {Point2d(HUGE_PIXEL, 500), Point2d(-HUGE_PIXEL, 500), Point2d(500, HUGE_PIXEL)}) {
+            Vec3d ray(7, 7, 7);
+            const bool seen = lens->unprojectPoint(pixel, ray);
+            EXPECT_TRUE(seen ? std::abs(cv::norm(ray) - 1) < 1e-9 : ray == Vec3d(7, 7, 7)) << pixel << ", " << ray;
+        }
+}
+
 // Their derivatives would be beyond the range of a double.
 TEST(Gmlpnp_CameraFactories, parameters_beyond_reason_are_refused)
 {

@@ -202,6 +202,14 @@ TEST(Gmlpnp_CameraIo, damaged_files_throw)
         EXPECT_NE(errorCode([&] { loadText(text); }), 0) << text;
 }
 
+// It has no size and no end.
+TEST(Gmlpnp_CameraIo, a_device_is_no_calibration)
+{
+    if (std::ifstream("/dev/zero")) {
+        EXPECT_EQ(Error::StsParseError, errorCode([] { CameraModel::load("/dev/zero"); }));
+    }
+}
+
 TEST(Gmlpnp_CameraIo, kitti360)
 {
     for (const char* name : {"kitti360/calibration/image_02.yaml", "kitti360/calibration/image_03.yaml"}) {
