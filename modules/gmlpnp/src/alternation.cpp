@@ -136,7 +136,8 @@ private:
     Products productsOfRound() const;
     double tolerance() const;
     bool endsHere(const Estimate& next, double promise) const;
-    void halve(Estimate& next, Vector6d xi);
+    bool falls(Estimate& next, Vector6d xi);
+    void end(double promise);
     void leaveScoring();
 
     const Correspondences& data_;
@@ -176,7 +177,10 @@ void Alternation::round()
             leaveScoring();
             return;
         }
-        halve(next, xi);
+        if (!falls(next, xi)) {
+            end(promise);
+            return;
+        }
     }
     now_ = next;
 }
@@ -219,8 +223,8 @@ bool Alternation::endsHere(const Estimate& next, double promise) const
            (stopping_.near || promise < goodEnough(stopping_.last));
 }
 
-// The step, as long as it goes wrong.
-void Alternation::halve(Estimate& next, Vector6d xi)
+// Halves the step as long as it goes wrong; false where it always does.
+bool Alternation::falls(Estimate& next, Vector6d xi)
 {
     const bool noiseChanged = !isConstant(now_.kind) || next.noise.tails.share != now_.noise.tails.share;
     const auto fine = [&] { return accepted(noiseChanged, now_.sums, next.sums, data_.size()); };
@@ -229,10 +233,16 @@ void Alternation::halve(Estimate& next, Vector6d xi)
         next.pose = perturbed(now_.pose, xi);
         next.sums = pass(next, productsOfRound());
     }
-    if (!noiseChanged && !fine()) {
-        next = now_;  // no step falls any more: this is the minimum, to rounding
-        next.converged = true;
-    }
+    return noiseChanged || fine();
+}
+
+// No step falls any more: this is the minimum, to rounding, or else a place where the quadratic model is none.
+void Alternation::end(double promise)
+{
+    constexpr double OF_MISFIT = 1e-9;
+    now_.converged = promise <= std::max(stopping_.tolerance, OF_MISFIT * now_.sums.misfit);
+    if (!now_.converged)
+        now_.rounds = stopping_.maxRounds;
 }
 
 // The pass again where the round began: c_ is that of the pose then.

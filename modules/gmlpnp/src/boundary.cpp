@@ -77,7 +77,7 @@ bool isCovariance(const Matrix3d& given)
 
 bool isZero(const Mat& m)
 {
-    return m.empty() || norm(m, NORM_INF) == 0;
+    return m.empty() || countNonZero(m.reshape(1) != 0) == 0;  // NaN is not zero
 }
 
 KnownNoise knownNoise(const Mat& given, const char* name)
@@ -167,7 +167,9 @@ void checkSameCount(const Mat& points, const Mat& images, const char* name)
 
 bool finiteGuess(const Params& params)
 {
-    return !params.useExtrinsicGuess || (toEigen(params.rvec).allFinite() && toEigen(params.tvec).allFinite());
+    constexpr double LARGEST = 1e100;
+    const auto fine = [](const Vec3d& v) { return toEigen(v).allFinite() && norm(v, NORM_INF) <= LARGEST; };
+    return !params.useExtrinsicGuess || (fine(params.rvec) && fine(params.tvec));
 }
 
 }  // namespace

@@ -20,6 +20,22 @@ constexpr double COLLINEAR = 1e-6;
 // The same for rays: the root of the sum of their squared angles to the first [rad].
 constexpr double PARALLEL = 1e-9;
 
+// Least known variance, of the mean over the points: below it sums with the others have no digits left.
+constexpr double EXACT = 1e-10;
+
+// Lifts what is below. Rows of 6, xx xy xz yy yz zz; `along`: how many directions have no variance and need none.
+template <class Rows>
+void liftSingular(Rows rows, int along)
+{
+    const double least = EXACT / 3 * (rows.col(0) + rows.col(3) + rows.col(5)).mean();
+    for (int i = 0; i < rows.rows(); ++i) {
+        const Vector6d entries = rows.row(i);
+        if (Eigen3d(symmetric(entries.data()), Eigen::EigenvaluesOnly).eigenvalues()(along) < least)
+            for (const int diagonal : {0, 3, 5})
+                rows(i, diagonal) += least;
+    }
+}
+
 }  // namespace
 
 Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
@@ -32,8 +48,9 @@ Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<do
     centre = columns.leftCols<3>().colwise().mean();
     prepare(centre);
     scale = std::sqrt((sums.scatter[0] + sums.scatter[3] + sums.scatter[5]) / size());
-    if (scale > 0)
-        columns.leftCols<3>() *= 1 / scale;
+    if (!std::isnormal(scale))  // not finite() or degenerate()
+        return;
+    columns.leftCols<3>() *= 1 / scale;
     for (double& entry : sums.scatter)
         entry /= scale * scale;
 
@@ -58,6 +75,10 @@ void Correspondences::setKnown(const Mat_<double>& objectCovariances, const Mat_
             if (!rayCovariances.empty())
                 known(i, 6 + k) = rayCovariances(i, UPPER[k]);
         }
+    if (!objectCovariances.empty())
+        liftSingular(known.leftCols<6>(), 0);
+    if (!rayCovariances.empty())
+        liftSingular(known.rightCols<6>(), 1);
 }
 
 void Correspondences::prepare(const Vector3d& origin)
@@ -134,6 +155,20 @@ bool Correspondences::degenerate() const
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * centre.norm() / scale;
     const double line = std::max(COLLINEAR, rounding);
     return spread(1) <= line * line * spread(2) || sums.apart2 <= PARALLEL * PARALLEL;
+}
+
+// The fewest distinct places stand first in most data: a few comparisons end the search.
+bool Correspondences::hasPlaces(int wanted) const
+{
+    std::array<int, 4> places;
+    CV_Assert(wanted <= static_cast<int>(places.size()));
+    int count = 0;
+    for (int i = 0; i < size() && count < wanted; ++i) {
+        const auto same = [&](int place) { return (pointAt(i) - pointAt(place)).norm() <= COLLINEAR; };
+        if (std::none_of(places.begin(), places.begin() + count, same))
+            places[count++] = i;
+    }
+    return count >= wanted;
 }
 
 Pose Correspondences::toObject(const Pose& normalised) const

@@ -32,6 +32,21 @@ Estimate estimateIsotropic(const Correspondences& data, const Pose& start, const
                      {stopping.maxRounds, stopping.tolerance, false, stopping.last});
 }
 
+// Points whose known noise is far below that of others bend the cost: where their residuals are many standard
+// deviations, Gauss-Newton leaves in their direction for good. So from the isotropic pose on a common noise falls until
+// the residuals are what the known noise lets expect.
+Pose nearKnown(const Correspondences& data, Pose pose, const Noise& noise)
+{
+    constexpr double GROSS = 2, STEP = 0.01;  // mean squared residual over its expectation; factor of the variance
+    const auto gross = [&] { return !(rayPass(data, pose, noise).misfit <= GROSS * data.size()); };
+    for (double common = splitResiduals(data, pose).object.a; common > NOISE_FLOOR * NOISE_FLOOR && gross();
+         common *= STEP)
+        pose = alternate(data, pose, {noise.Sigma + common * Matrix3d::Identity(), noise.Gamma, {}}, NoiseKind::FIXED,
+                         {5, DEFAULT_TOLERANCE, false, LastSums::NOTHING})
+                   .pose;
+    return pose;
+}
+
 // L has optima that are no poses anybody wants: noise as large as the object explains any rays once the camera is
 // inside it, or a flat object is seen edge on. Such an end is far from the isotropic pose and fits clearly worse.
 bool ranAway(const Correspondences& data, const Pose& start, const Estimate& end)
@@ -263,8 +278,10 @@ int overAll(const Correspondences& data, Rival* rivals, int count, int size, con
 Estimate estimateMarginal(const Correspondences& data, const Pose& start, const KnownNoise& Sigma,
                           const KnownNoise& Gamma, const Stopping& stopping, const Parts& parts)
 {
-    if (Sigma && Gamma)
-        return alternate(data, start, {usable(*Sigma), *Gamma, {}}, NoiseKind::FIXED, stopping);
+    if (Sigma && Gamma) {
+        const Noise noise{usable(*Sigma), *Gamma, {}};
+        return alternate(data, nearKnown(data, start, noise), noise, NoiseKind::FIXED, stopping);
+    }
     if (data.size() < MIN_POINTS_COVARIANCE)
         return estimateIsotropic(data, start, Sigma, Gamma, stopping);
     if (Sigma || Gamma)

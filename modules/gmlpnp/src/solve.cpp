@@ -195,7 +195,8 @@ std::vector<Estimate> fitByParts(const Correspondences& data, const Options& opt
 
 Status solveAll(const Observations& observations, const Options& options, std::vector<Solution>& solutions)
 {
-    if (observations.points.rows < (options.guess ? 3 : 4))
+    const int fewest = options.guess ? 3 : 4;
+    if (observations.points.rows < fewest)
         return STATUS_TOO_FEW_POINTS;
     const Correspondences data(observations.points, observations.rays, observations.objectCovariances,
                                observations.rayCovariances, observations.scaled);
@@ -203,6 +204,8 @@ Status solveAll(const Observations& observations, const Options& options, std::v
         return STATUS_NOT_FINITE;
     if (data.degenerate())
         return STATUS_DEGENERATE;
+    if (!data.hasPlaces(fewest))
+        return STATUS_TOO_FEW_POINTS;
 
     std::vector<Estimate> found = fitByParts(data, options);
     if (found.empty())

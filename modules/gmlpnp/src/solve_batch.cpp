@@ -13,8 +13,11 @@ namespace {
 
 using namespace detail;
 
+// Nothing seen in one of many pictures is no misuse: too few points.
 Input inputOf(const Mat& objectPoints, const Mat& rays, const Params& params, int problem)
 {
+    if (objectPoints.empty() && rays.empty())
+        return Input();
     try {
         return inputRays(objectPoints, rays, params);
     } catch (const Exception& e) {

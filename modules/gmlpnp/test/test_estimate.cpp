@@ -172,6 +172,31 @@ TEST(Gmlpnp_Estimate, knownNoiseEndsAtTheMinimum)
     }
 }
 
+// A step that no halving makes fall ends the alternation; it is a minimum only where it promised nothing.
+TEST(Gmlpnp_Estimate, aStepThatGoesWrongIsNoConvergence)
+{
+    cv::RNG rng = testRng();
+    constexpr int N = 20;
+    int misled = 0;
+    for (int k = 0; k < 200; ++k) {
+        const Scene scene = bearingScene(rng, N, 5);
+        cv::Mat_<double> known(N, 9, 0.);
+        for (int i = 0; i < N; ++i)
+            for (int axis = 0; axis < 3; ++axis)
+                known(i, 4 * axis) = (i == 0 ? 1e-12 : 1) * 25. / 640000;
+        const Correspondences data(scene.objectPoints, scene.rays, {}, known);
+        const Noise noise = isotropic(1e-24, 0);
+        const Stopping stopping = defaultStopping(false);
+        const Estimate found = alternate(data, initialPoses(data).at(0).pose, noise, NoiseKind::FIXED, stopping);
+        const Estimate fromTruth = alternate(data, data.fromObject(scene.truth), noise, NoiseKind::FIXED, stopping);
+        if (found.sums.L > fromTruth.sums.L + 1e3) {
+            misled++;
+            EXPECT_FALSE(found.converged) << k;
+        }
+    }
+    EXPECT_GT(misled, 5) << "the test tests nothing";
+}
+
 TEST(Gmlpnp_Estimate, zeroToleranceRunsAllRounds)
 {
     cv::RNG rng = testRng();

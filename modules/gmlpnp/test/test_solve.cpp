@@ -288,6 +288,11 @@ TEST(Gmlpnp_Solve, badDataIsAStatusAndTouchesNothing)
     tiny *= 1e-101;
     for (int i = 0; i < 10; ++i)
         line(i, 0) = i, line(i, 1) = 2 * i, line(i, 2) = -i;
+    cv::Mat_<double> threePlaces = scene.objectPoints.clone(), theirRays = scene.rays.clone();
+    for (int i = 3; i < 10; ++i) {
+        threePlaces.row(i % 3).copyTo(threePlaces.row(i));
+        theirRays.row(i % 3).copyTo(theirRays.row(i));
+    }
     const struct
     {
         cv::Mat_<double> points, rays;
@@ -298,7 +303,8 @@ TEST(Gmlpnp_Solve, badDataIsAStatusAndTouchesNothing)
                  {line, scene.rays, cv::gmlpnp::STATUS_DEGENERATE},
                  {place, scene.rays, cv::gmlpnp::STATUS_DEGENERATE},
                  {tiny, scene.rays, cv::gmlpnp::STATUS_DEGENERATE},
-                 {scene.objectPoints.rowRange(0, 3), scene.rays.rowRange(0, 3), cv::gmlpnp::STATUS_TOO_FEW_POINTS}};
+                 {scene.objectPoints.rowRange(0, 3), scene.rays.rowRange(0, 3), cv::gmlpnp::STATUS_TOO_FEW_POINTS},
+                 {threePlaces, theirRays, cv::gmlpnp::STATUS_TOO_FEW_POINTS}};
     for (int method : METHODS)
         for (const auto& bad : cases) {
             Result result = before;
@@ -310,6 +316,90 @@ TEST(Gmlpnp_Solve, badDataIsAStatusAndTouchesNothing)
             EXPECT_EQ(before.cost, result.cost);
             EXPECT_EQ(before.poseCovariance.data, result.poseCovariance.data);
             EXPECT_EQ(0, std::memcmp(points.data, bad.points.data, points.total() * sizeof(double))) << "input written";
+        }
+}
+
+TEST(Gmlpnp_Solve, guessesBeyondReasonAreNotFinite)
+{
+    cv::RNG rng = testRng();
+    const Scene scene = paperScene(rng, 10, 0.1, 1);
+    for (const double value : {std::nan(""), 1.01e100, -1e160}) {
+        Params params;
+        params.useExtrinsicGuess = true;
+        (value < 0 ? params.rvec : params.tvec)[1] = value;
+        Result result;
+        EXPECT_FALSE(cv::gmlpnp::solveRays(scene.objectPoints, scene.rays, result, params));
+        EXPECT_EQ(cv::gmlpnp::STATUS_NOT_FINITE, result.status);
+    }
+}
+
+// One point is far more precise than the others: its residual at the isotropic pose is many of its standard deviations.
+// The pose is the one that the truth as a guess leads to.
+TEST(Gmlpnp_Solve, knownNoisesOfVeryDifferentSizes)
+{
+    cv::RNG rng = testRng();
+    constexpr int N = 20;
+    for (const double precise : {1e-2, 1e-4, 0.})  // of the others' standard deviation
+        for (const bool pixels : {true, false})
+            for (int k = 0; k < 20; ++k) {
+                Scene scene = exactScene(rng, boxPoints(rng, N));
+                const double sigma = pixels ? 5 : 0.3;
+                Params params;
+                params.objectNoise = params.bearingNoise = cv::Mat::zeros(3, 3, CV_64F);
+                cv::Mat_<double> known(N, pixels ? 1 : 9, 0.);
+                for (int i = 0; i < N; ++i) {
+                    const double own = i == 7 ? precise * sigma : sigma;
+                    cv::Mat_<double>& noisy = pixels ? scene.imagePoints : scene.objectPoints;
+                    for (int axis = 0; axis < noisy.cols; ++axis)
+                        noisy(i, axis) += own * rng.gaussian(1);
+                    for (int entry = 0; entry < known.cols; entry += 4)
+                        known(i, entry) = own * own;
+                }
+                (pixels ? params.pixelCovariances : params.objectCovariances) = known;
+                SCOPED_TRACE(testing::Message() << precise << (pixels ? ", pixels " : ", points ") << k);
+                Result result, fromTruth;
+                ASSERT_TRUE(cv::gmlpnp::solve(scene.objectPoints, scene.imagePoints, paperCamera(), cv::noArray(),
+                                              result, params));
+                const Vector3d r = cv::gmlpnp::detail::logSO3(scene.truth.R), t = scene.truth.t;
+                params.useExtrinsicGuess = true;
+                params.rvec = {r.x(), r.y(), r.z()};
+                params.tvec = {t.x(), t.y(), t.z()};
+                ASSERT_TRUE(cv::gmlpnp::solve(scene.objectPoints, scene.imagePoints, paperCamera(), cv::noArray(),
+                                              fromTruth, params));
+                EXPECT_EQ(cv::gmlpnp::STATUS_CONVERGED, result.status);
+                EXPECT_LT(result.cost, fromTruth.cost + 0.1);
+            }
+}
+
+// What objectNoise may be, each point's covariance may be too: of rank one, or zero for some points.
+TEST(Gmlpnp_Solve, singularCovariancesOfPointsAreNoReasonToRefuse)
+{
+    cv::RNG rng = testRng();
+    constexpr int N = 20;
+    for (const bool noisy : {false, true})
+        for (const bool others : {false, true}) {  // whether the rest of the noise is estimated
+            SCOPED_TRACE(testing::Message() << noisy << others);
+            Scene scene = exactScene(rng, boxPoints(rng, N));
+            Params params;
+            if (!others)
+                params.objectNoise = params.bearingNoise = cv::Mat::zeros(3, 3, CV_64F);
+            params.objectCovariances = cv::Mat::zeros(N, 9, CV_64F);
+            for (int i = 0; i < N; ++i) {
+                params.objectCovariances.at<double>(i, 8) = 0.0025;
+                scene.objectPoints(i, 2) += noisy ? rng.gaussian(0.05) : 0;
+            }
+            Result result;
+            EXPECT_TRUE(cv::gmlpnp::solveRays(scene.objectPoints, scene.rays, result, params));
+            EXPECT_TRUE(poseNear(result, scene.truth, noisy ? 0.05 : 1e-6, noisy ? 0.3 : 1e-5));
+            params.objectCovariances = cv::Mat();
+            params.pixelCovariances = cv::Mat(N, 1, CV_64F, cv::Scalar(0.25));
+            params.pixelCovariances.at<double>(3) = 0;
+            Scene seen = exactScene(rng, boxPoints(rng, N));
+            for (int i = 0; i < N; ++i)
+                seen.imagePoints(i, 0) += noisy && i != 3 ? rng.gaussian(0.5) : 0;
+            EXPECT_TRUE(
+                cv::gmlpnp::solve(seen.objectPoints, seen.imagePoints, paperCamera(), cv::noArray(), result, params));
+            EXPECT_TRUE(poseNear(result, seen.truth, noisy ? 0.01 : 1e-6, noisy ? 0.05 : 1e-5));
         }
 }
 
@@ -344,6 +434,10 @@ TEST(Gmlpnp_Solve, misuseThrowsAndNamesTheArgument)
     EXPECT_NE(cv::String::npos, message(params).find("bearingNoise"));
     params.bearingNoise = 1e61 * cv::Mat::eye(3, 3, CV_64F);  // the covariance of the pose would have no numbers
     EXPECT_NE(cv::String::npos, message(params).find("bearingNoise"));
+    params = Params();
+    params.objectNoise = params.bearingNoise = cv::Mat::zeros(3, 3, CV_64F);
+    params.objectCovariances = cv::Mat(10, 9, CV_64F, cv::Scalar(std::nan("")));
+    EXPECT_NE(cv::String::npos, message(params).find("objectCovariances"));
     Result result;
     params = Params();
     params.objectNoise = cv::Mat::eye(2, 2, CV_64F);
@@ -480,6 +574,11 @@ TEST(Gmlpnp_Solve, aBatchTakesListsOfVectorsAndRefusesByName)
     EXPECT_EQ(2, cv::gmlpnp::solveBatch(twice, twice, results));
     EXPECT_EQ(0, cv::gmlpnp::solveBatch(std::vector<cv::Mat>(), std::vector<cv::Mat>(), results));
     EXPECT_TRUE(results.empty());
+
+    const std::vector<std::vector<cv::Point3f>> nothingSeen = {points, {}, points};
+    EXPECT_EQ(2, cv::gmlpnp::solveBatch(nothingSeen, nothingSeen, results));
+    ASSERT_EQ(3u, results.size());
+    EXPECT_EQ(cv::gmlpnp::STATUS_TOO_FEW_POINTS, results[1].status);
 
     results.resize(1);
     const std::vector<std::vector<cv::Point3f>> once(1, points), shorter = {points, {points[0], points[1]}};

@@ -47,7 +47,7 @@ enum Status
 {
     STATUS_CONVERGED = 0,   //!< the last round changed the cost by less than the tolerance
     STATUS_MAX_ROUNDS,      //!< all rounds used; the pose is good, the noise may still move
-    STATUS_TOO_FEW_POINTS,  //!< fewer than 4 points with a ray (3 with a guess)
+    STATUS_TOO_FEW_POINTS,  //!< fewer than 4 points with a ray, or 4 places (3 with a guess)
     STATUS_DEGENERATE,      //!< collinear or coinciding (to 1e-100) points or rays, or no pose with points in front
     STATUS_NOT_FINITE,      //!< NaN, infinity or sizes beyond 1e100 in points, pixels, rays or guess
     STATUS_NO_CONSENSUS     //!< RANSAC: no pose that more points agree with than by chance
@@ -107,7 +107,10 @@ struct CV_EXPORTS_W_SIMPLE Result
     CV_PROP_RW Vec3d rvec;  //!< rotation vector, rad: X = R p + t
     CV_PROP_RW Vec3d tvec;  //!< translation, the caller's length
     //! 6x6 covariance of the left perturbation (phi, delta): R_true = Exp(phi) R, t_true = Exp(phi) t + delta;
-    //! rad and length. Empty where the data leave no residual to judge it by (three points).
+    //! rad and length. Empty where the data leave no residual to judge it by (three points). This one and that of the
+    //! camera's centre are of first order about the camera: where the deviation of the rotation [rad] squared, times |t|,
+    //! is not far below the deviation of t (small objects at 20 of their sizes and more), ask poseCovarianceRt. None of
+    //! them knows of another minimum: a flat object far away has two poses (solveAll()).
     CV_PROP_RW Mat poseCovariance;
     CV_PROP_RW Mat poseCovarianceRt;        //!< 6x6 covariance of (rvec, tvec); empty as above
     CV_PROP_RW Vec3d cameraCenter;          //!< -R^T t, object frame, length
@@ -179,7 +182,8 @@ CV_EXPORTS_W bool solveRays(InputArray objectPoints, InputArray rays, CV_OUT Res
 
 /** @brief Many independent problems at once, one after the other on each core (cv::parallel_for_). The results are
 those of solveRays(), bit for bit, whatever the number of threads.
-@param objectPoints the points of each problem, object frame: a list of arrays as solveRays() takes them.
+@param objectPoints the points of each problem, object frame: a list of arrays as solveRays() takes them. An empty array
+with empty rays, a picture in which nothing was seen, is a problem of too few points.
 @param rays the rays of each problem, camera frame: as many arrays.
 @param results one for each problem, in their order; where there is no pose, its Result::status says why and nothing
 else in it is set.
