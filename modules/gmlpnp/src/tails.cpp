@@ -230,6 +230,8 @@ TailInformation tailInformation(const Tails& tails)
 
 double nearestStudentT(const Tails& tails)
 {
+    if (tails.share == 0)
+        return std::numeric_limits<double>::infinity();
     return 1 / std::sqrt(tails.share);  // within 3 % for shares to .4 of the default width
 }
 

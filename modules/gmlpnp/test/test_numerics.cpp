@@ -4,6 +4,9 @@
 
 #include "test_precomp.hpp"
 
+#include <cfenv>
+#include <functional>
+
 #include "../src/ray_pass.hpp"
 #include "scenes.hpp"
 
@@ -84,6 +87,57 @@ TEST(Gmlpnp_Numerics, mapCoordinates)
                                                 {}, paramsOf(method)));
             EXPECT_EQ(inliersNear, inliersMap);
             EXPECT_LT(cv::norm(map.cameraCenter - near.cameraCenter - offset), 1e-7);
+        }
+}
+
+// Programs that trap invalid operations, divisions by zero and overflows may call with any finite data.
+TEST(Gmlpnp_Numerics, finiteDataRaiseNoFloatingPointExceptions)
+{
+    constexpr int TRAPPED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+    cv::RNG rng = testRng();
+    const cv::Matx33d K = paperCamera();
+    const auto quiet = [](const std::function<void()>& call) {
+        std::feclearexcept(FE_ALL_EXCEPT);
+        call();
+        const int raised = std::fetestexcept(TRAPPED);
+        return raised == 0 ? testing::AssertionSuccess() : testing::AssertionFailure() << "flags " << raised;
+    };
+    for (const int n : {4, 5, 6, 20, 300, 1000})
+        for (const double noise : {0., 1.})
+            for (const bool flat : {false, true}) {
+                SCOPED_TRACE(testing::Message() << n << " points, noise " << noise << (flat ? ", flat" : ""));
+                Scene scene = exactScene(rng, boxPoints(rng, n, flat));
+                synthetic::disturb(rng, scene, 0.02 * noise, noise, *cv::gmlpnp::CameraModel::pinhole(K));
+                Result result;
+                std::vector<Result> results;
+                std::vector<int> inliers;
+                std::vector<cv::Mat> rvecs, tvecs;
+                for (const int method : METHODS) {
+                    const Params params = paramsOf(method);
+                    EXPECT_TRUE(quiet([&] {
+                        cv::gmlpnp::solve(scene.objectPoints, scene.imagePoints, K, cv::noArray(), result, params);
+                    }));
+                    EXPECT_TRUE(quiet([&] {
+                        cv::gmlpnp::solvePnPGeneric(scene.objectPoints, scene.imagePoints, K, cv::noArray(), rvecs,
+                                                    tvecs, false, method);
+                    }));
+                    EXPECT_TRUE(quiet([&] {
+                        cv::gmlpnp::solveRansac(scene.objectPoints, scene.imagePoints, K, cv::noArray(), result,
+                                                inliers, {}, params);
+                    }));
+                }
+            }
+    Result result;
+    const Scene scene = paperScene(rng, 20, 0.1, 1);
+    const cv::Mat place(20, 3, CV_64F, cv::Scalar(1.5));
+    EXPECT_TRUE(quiet([&] { cv::gmlpnp::solveRays(place, scene.rays, result); })) << "one place";
+    for (const auto& lens :
+         {cv::gmlpnp::CameraModel::pinhole(K), cv::gmlpnp::CameraModel::fisheye(K),
+          cv::gmlpnp::CameraModel::omnidir(K, cv::noArray(), 1), cv::gmlpnp::CameraModel::eucm(K, 0.5, 1),
+          cv::gmlpnp::CameraModel::doubleSphere(K, 0, 0.5), cv::gmlpnp::CameraModel::equirectangular({2000, 1000})})
+        for (const cv::Vec3d& point : {cv::Vec3d(1, 0, 0), cv::Vec3d(0, 0, 0), cv::Vec3d(0, 0, -1)}) {
+            cv::Point2d pixel;
+            EXPECT_TRUE(quiet([&] { lens->projectPoint(point, pixel); })) << point;
         }
 }
 
