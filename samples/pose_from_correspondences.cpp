@@ -12,9 +12,9 @@
 #include "common/command_line.hpp"
 #include "common/methods.hpp"
 #include "common/noise_report.hpp"
-#include "common/output_file.hpp"
 #include "common/residual_picture.hpp"
 #include "common/table.hpp"
+#include "output_file.hpp"
 
 namespace {
 
@@ -148,7 +148,7 @@ std::string withName(const std::filesystem::path& path, const std::string& name)
 
 void writeCsv(const std::string& path, const std::vector<FileRuns>& files)
 {
-    writeFile(path, [&](std::ostream& out) {
+    files::writeFile(path, [&](std::ostream& out) {
         out << "file,method,points,solved,rx_rad,ry_rad,rz_rad,tx,ty,tz,rotation_error_deg,position_error,time_us\n";
         for (const FileRuns& file : files)
             for (const Run& run : file.runs) {

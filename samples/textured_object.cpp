@@ -25,9 +25,9 @@
 #include "common/canvas.hpp"
 #include "common/command_line.hpp"
 #include "common/images.hpp"
-#include "common/output_file.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
+#include "output_file.hpp"
 
 namespace {
 
@@ -232,7 +232,7 @@ bool show(const cv::Mat& frame)
 }
 
 // cv::VideoWriter does not say whether the disk was full, so the video is looked at.
-void finish(cv::VideoWriter& video, PartialFile& file, int frames)
+void finish(cv::VideoWriter& video, files::PartialFile& file, int frames)
 {
     video.release();
     if (cv::VideoCapture(file.path()).get(cv::CAP_PROP_FRAME_COUNT) != frames)
@@ -268,10 +268,10 @@ int run(const Arguments& arguments)
     cv::VideoCapture video(input);
     if (!video.isOpened())
         throw std::runtime_error(input + ": cannot be opened as a video");
-    OutputFile csv(csvPath);
+    files::OutputFile csv(csvPath);
     csv.stream() << "frame,found,matches,inliers,ms,rx,ry,rz,tx_cm,ty_cm,tz_cm,cx_cm,cy_cm,cz_cm,camera_sd_cm\n";
 
-    std::optional<PartialFile> videoFile;
+    std::optional<files::PartialFile> videoFile;
     cv::VideoWriter out;
     cv::Mat frame, best;
     FramePose last;

@@ -2,12 +2,15 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html
 
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include <opencv2/gmlpnp/camera.hpp>
 
 #include "arrays.hpp"
 #include "module.hpp"
+#include "output_file.hpp"
 
 namespace bindings {
 
@@ -56,7 +59,8 @@ model: the lens where the file does not tell, "pinhole" (default) or "fisheye".)
 
 const char* const kSave = R"(save(filename) -> None
 
-Writes the camera to a YAML, XML or JSON file that load() reads back to an equal camera.)";
+Writes the camera to a YAML, XML or JSON file, by its extension, that load() reads back to an equal camera. The file is
+written whole or not at all: after an error what stood there before still does.)";
 
 const char* const kUnproject = R"(unproject(imagePoints) -> rays, valid, jacobian
 
@@ -108,27 +112,33 @@ Camera load(const std::string& filename, const std::string& model)
     return CameraModel::load(filename, model);
 }
 
-void writeInto(cv::FileStorage& storage, const CameraModel& camera)
+//! In the format of the extension, as cv::FileStorage chooses it.
+std::string textAs(const std::string& extension, const CameraModel& camera)
 {
+    cv::FileStorage storage("camera" + extension, cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
     storage << "camera"
             << "{";
     camera.write(storage);
     storage << "}";
-}
-
-void save(const CameraModel& camera, const std::string& filename)
-{
-    cv::FileStorage storage(filename, cv::FileStorage::WRITE);
-    if (!storage.isOpened())
-        CV_Error(cv::Error::StsObjectNotFound, filename + ": cannot be written");
-    writeInto(storage, camera);
+    return storage.releaseAndGetString();
 }
 
 std::string toText(const CameraModel& camera)
 {
-    cv::FileStorage storage("camera.json", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
-    writeInto(storage, camera);
-    return storage.releaseAndGetString();
+    return textAs(".json", camera);
+}
+
+void save(const CameraModel& camera, const std::string& filename)
+{
+    const std::string extension = std::filesystem::path(filename).extension().string();
+    if (extension == ".gz")  // cv::FileStorage would compress
+        CV_Error(cv::Error::StsBadArg, filename + ": is not compressed, for load() would not read it");
+    const std::string text = textAs(extension, camera);  // not into the file: cv::FileStorage notices no full disk
+    try {
+        withoutGil([&] { files::writeFile(filename, [&](std::ostream& out) { out << text; }); });
+    } catch (const std::runtime_error& error) {
+        CV_Error(cv::Error::StsObjectNotFound, error.what());
+    }
 }
 
 Camera fromText(const std::string& text)

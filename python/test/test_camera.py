@@ -1,14 +1,17 @@
 """CameraModel: its factories, rays and pixels."""
 
 import copy
+import json
 import os
 import pickle
 import tempfile
+import threading
 import unittest
 
 import numpy as np
 
 import gmlpnp
+from no_room import no_room_for_files, resource
 from scenes import D, K, PoseTestCase, in_camera, object_points, pinhole_pixels
 
 try:
@@ -92,6 +95,57 @@ class Cameras(PoseTestCase):
                     np.testing.assert_array_equal(twin.project(SEEN)[0], camera.project(SEEN)[0])
             with self.assertRaisesRegex(gmlpnp.error, "nowhere"):
                 gmlpnp.CameraModel.load(os.path.join(folder, "nowhere.yml"))
+
+    @unittest.skipIf(resource is None, "no limits of files here")
+    def test_save_keeps_what_was_there(self):
+        camera = CAMERAS["pinhole"]()
+        with tempfile.TemporaryDirectory() as folder:
+            path, link = os.path.join(folder, "camera.yml"), os.path.join(folder, "link.yml")
+            with open(path, "w", encoding="ascii") as file:
+                file.write("kept")
+            os.chmod(path, 0o640)
+            with no_room_for_files(), self.assertRaisesRegex(gmlpnp.error, "camera.yml: cannot be written"):
+                camera.save(path)
+            with open(path, encoding="ascii") as file:
+                self.assertEqual(file.read(), "kept")
+            os.symlink("camera.yml", link)
+            camera.save(link)
+            gmlpnp.CameraModel.load(path)
+            self.assertTrue(os.path.islink(link))
+            self.assertEqual(os.stat(path).st_mode & 0o777, 0o640)
+            self.assertEqual(sorted(os.listdir(folder)), ["camera.yml", "link.yml"])
+
+    def test_save_where_nothing_can_be_written(self):
+        camera = CAMERAS["pinhole"]()
+        with tempfile.TemporaryDirectory() as folder:
+            for path in (folder, os.path.join(folder, "nowhere", "camera.yml")):
+                with self.assertRaisesRegex(gmlpnp.error, path + ": cannot be written"):
+                    camera.save(path)
+            with self.assertRaisesRegex(gmlpnp.error, "camera.yml.gz: is not compressed"):
+                camera.save(os.path.join(folder, "camera.yml.gz"))
+            self.assertEqual(os.listdir(folder), [])
+            if os.path.exists("/dev/full"):
+                link = os.path.join(folder, "full.yml")
+                os.symlink("/dev/full", link)
+                with self.assertRaisesRegex(gmlpnp.error, "full.yml: cannot be written"):
+                    camera.save(link)
+                self.assertEqual(os.listdir(folder), ["full.yml"])
+
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "no pipes with names here")
+    def test_save_into_a_pipe(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pipe, texts = os.path.join(folder, "pipe.json"), []
+
+            def read():
+                with open(pipe, encoding="ascii") as file:
+                    texts.append(file.read())
+
+            os.mkfifo(pipe)
+            reader = threading.Thread(target=read)
+            reader.start()
+            CAMERAS["pinhole"]().save(pipe)
+            reader.join()
+        self.assertEqual(json.loads(texts[0])["camera"]["model"], "pinhole")
 
     def test_repr_pickle_copy(self):
         for name, make in CAMERAS.items():

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "common/output_file.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
+#include "output_file.hpp"
 
 namespace samples {
 
@@ -172,7 +172,7 @@ void printDifferences(std::ostream& out, const Comparison& comparison, uint64_t 
 
 void writeComparison(const std::string& path, const Comparison& comparison)
 {
-    writeFile(path, [&](std::ostream& out) {
+    files::writeFile(path, [&](std::ostream& out) {
         out << "pair,method,points,solved,rx_rad,ry_rad,rz_rad,tx,ty,tz";
         for (const Quantity& quantity : comparison.quantities)
             out << "," << quantity.name << "_" << quantity.unit;

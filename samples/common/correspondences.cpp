@@ -15,7 +15,7 @@
 #include <set>
 #include <sstream>
 
-#include "common/output_file.hpp"
+#include "output_file.hpp"
 
 namespace samples {
 
@@ -276,7 +276,7 @@ CorrespondenceSet readCorrespondences(const std::string& path, CameraIn camera)
 
 void writeCorrespondences(const std::string& path, const CorrespondenceSet& set)
 {
-    writeFile(path, [&](std::ostream& out) {
+    files::writeFile(path, [&](std::ostream& out) {
         writeHeader(out, set);
         out << std::fixed;
         for (size_t i = 0; i < set.objectPoints.size(); ++i) {

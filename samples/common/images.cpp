@@ -11,7 +11,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "common/output_file.hpp"
+#include "output_file.hpp"
 
 namespace samples {
 
@@ -54,7 +54,7 @@ void writeImage(const std::string& path, const cv::Mat& image)
     }
     if (!encoded)
         throw std::runtime_error(path + ": cannot be written");
-    writeFile(path, [&](std::ostream& out) {
+    files::writeFile(path, [&](std::ostream& out) {
         out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     });
 }

@@ -14,7 +14,7 @@ namespace samples {
 /** cv::imread. @throws std::runtime_error naming the file where it cannot be read. */
 cv::Mat readImage(const std::string& path, int flags);
 
-/** In the format of the extension, as writeFile(). @throws std::runtime_error naming the file where it cannot be
+/** In the format of the extension, as files::writeFile(). @throws std::runtime_error naming the file where it cannot be
  * written. */
 void writeImage(const std::string& path, const cv::Mat& image);
 

@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "common/axes.hpp"
-#include "common/output_file.hpp"
 #include "common/residuals.hpp"
 #include "common/table.hpp"
+#include "output_file.hpp"
 
 namespace samples {
 
@@ -166,7 +166,7 @@ cv::Mat drawIsotropy(const std::vector<TrueResidual>& residuals, const Isotropy&
 void writeTrueResiduals(const std::string& path, const std::vector<TrueResidual>& residuals,
                         const std::vector<std::string>& pairNames, const std::string& unit)
 {
-    writeFile(path, [&](std::ostream& out) {
+    files::writeFile(path, [&](std::ostream& out) {
         out << "# lengths in " << unit << ", object frame; e leads from the ray to the object point\n"
             << "pair,X,Y,Z,ex,ey,ez,depth,ray_x,ray_y,ray_z\n";
         for (const TrueResidual& r : residuals) {

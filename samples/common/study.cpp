@@ -12,8 +12,8 @@
 
 #include "common/comparison_picture.hpp"
 #include "common/images.hpp"
-#include "common/output_file.hpp"
 #include "common/progress.hpp"
+#include "output_file.hpp"
 
 namespace samples {
 
@@ -46,7 +46,7 @@ std::vector<Method> methodsOf(const std::string& names)
 
 void writeText(const std::string& path, const std::string& text)
 {
-    writeFile(path, [&](std::ostream& out) { out << text; });
+    files::writeFile(path, [&](std::ostream& out) { out << text; });
 }
 
 Trial runTrial(const Study& study, const StudyOptions& options, size_t pair, std::vector<TrueResidual>& residuals)

@@ -9,7 +9,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "common/output_file.hpp"
+#include "output_file.hpp"
 
 namespace experiments {
 
@@ -42,7 +42,7 @@ void Csv::endRow()
 
 void Csv::save() const
 {
-    samples::writeFile(path_, [this](std::ostream& out) { out << text_.str(); });
+    files::writeFile(path_, [this](std::ostream& out) { out << text_.str(); });
 }
 
 std::vector<std::string> intervalColumns(const std::string& name)

@@ -12,8 +12,8 @@
 
 #include "common/axes.hpp"
 #include "common/exterior_orientation.hpp"
-#include "common/output_file.hpp"
 #include "common/table.hpp"
+#include "output_file.hpp"
 
 namespace samples {
 
@@ -183,7 +183,7 @@ bool localize(const CorrespondenceSet& set, const std::string& name, Localizatio
 
 void writeLocalizations(const std::string& path, const std::vector<Localization>& all)
 {
-    writeFile(path, [&](std::ostream& out) {
+    files::writeFile(path, [&](std::ostream& out) {
         out << "pair,points,easting,northing,elevation,sd_easting,sd_northing,sd_elevation,ellipse95_a,ellipse95_b,"
                "ellipse95_azimuth_deg,roll_deg,pitch_deg,yaw_deg,true_easting,true_northing,true_elevation,"
                "squared_distance\n";

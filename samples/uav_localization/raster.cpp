@@ -17,7 +17,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "common/output_file.hpp"
+#include "output_file.hpp"
 
 namespace samples {
 
@@ -257,7 +257,7 @@ void writeOrthophoto(const std::string& path, const Raster& raster, const std::s
     options.AddString("COMPRESS=DEFLATE");
     options.AddString("ALPHA=YES");
     options.AddString(channels == 3 ? "PHOTOMETRIC=RGB" : "PHOTOMETRIC=MINISBLACK");
-    PartialFile file(path);
+    files::PartialFile file(path);
     Dataset dataset(driver == nullptr ? nullptr
                                       : driver->Create(file.path().c_str(), raster.values.cols, raster.values.rows,
                                                        channels + 1, GDT_Byte, options.List()));

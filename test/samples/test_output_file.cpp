@@ -8,11 +8,12 @@
 #include <stdexcept>
 
 #include "common/images.hpp"
-#include "common/output_file.hpp"
+#include "output_file.hpp"
 
 namespace {
 
-using namespace samples;
+using namespace files;
+using samples::writeImage;
 namespace fs = std::filesystem;
 
 class OutputFiles : public testing::Test

@@ -2,14 +2,13 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html
 
-#include "common/output_file.hpp"
-
-#include <unistd.h>
+#include "output_file.hpp"
 
 #include <locale>
+#include <random>
 #include <stdexcept>
 
-namespace samples {
+namespace files {
 
 namespace fs = std::filesystem;
 
@@ -21,7 +20,8 @@ PartialFile::PartialFile(const std::string& path) : asked_(path), target_(path),
         target_ = partial_ = real;
     if (!error && !fs::is_regular_file(target_, error))
         return;
-    partial_.replace_filename(target_.stem().string() + ".partial" + std::to_string(getpid()) +
+    // Other processes and threads may be writing the same file.
+    partial_.replace_filename(target_.stem().string() + ".partial" + std::to_string(std::random_device{}()) +
                               target_.extension().string());
 }
 
@@ -34,9 +34,13 @@ PartialFile::~PartialFile()
 
 void PartialFile::commit()
 {
-    std::error_code error;
-    if (partial_ != target_)
+    std::error_code error, ignored;
+    if (partial_ != target_) {
+        const fs::file_status old = fs::status(target_, ignored);
+        if (fs::exists(old))
+            fs::permissions(partial_, old.permissions(), ignored);
         fs::rename(partial_, target_, error);
+    }
     if (error)
         fail();
     partial_ = target_;
@@ -69,4 +73,4 @@ void writeFile(const std::string& path, const std::function<void(std::ostream&)>
     file.commit();
 }
 
-}  // namespace samples
+}  // namespace files

@@ -2,19 +2,19 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html
 
-#ifndef GMLPNP_SAMPLES_OUTPUT_FILE_HPP
-#define GMLPNP_SAMPLES_OUTPUT_FILE_HPP
+#ifndef GMLPNP_FILES_OUTPUT_FILE_HPP
+#define GMLPNP_FILES_OUTPUT_FILE_HPP
 
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
 
-namespace samples {
+namespace files {
 
 /** A file that comes into being as a whole or not at all: it is written under another name in the same folder and
 renamed by commit(). Without that, after an error for instance, what stood there before still does and nothing is left
-over. Devices and pipes are written to directly; a symbolic link stays one. */
+over. Devices and pipes are written to directly; a symbolic link stays one, and rights stay what they were. */
 class PartialFile
 {
 public:
@@ -58,6 +58,6 @@ private:
 /** Writes a file with what `write` puts into the stream. @throws std::runtime_error as OutputFile. */
 void writeFile(const std::string& path, const std::function<void(std::ostream&)>& write);
 
-}  // namespace samples
+}  // namespace files
 
-#endif  // GMLPNP_SAMPLES_OUTPUT_FILE_HPP
+#endif  // GMLPNP_FILES_OUTPUT_FILE_HPP
