@@ -4,6 +4,8 @@
 
 #include "output_file.hpp"
 
+#include <cstdio>
+#include <iostream>
 #include <locale>
 #include <random>
 #include <stdexcept>
@@ -71,6 +73,13 @@ void writeFile(const std::string& path, const std::function<void(std::ostream&)>
     OutputFile file(path);
     write(file.stream());
     file.commit();
+}
+
+void flushStandardOutput()
+{
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw std::runtime_error("standard output: cannot be written");
 }
 
 }  // namespace files

@@ -55,6 +55,10 @@ private:
     std::ofstream stream_;
 };
 
+/** What the program has printed goes where it is to go. Without that a full disk is noticed where nobody asks any more,
+after main(). @throws std::runtime_error where anything printed so far could not be written. */
+void flushStandardOutput();
+
 /** Writes a file with what `write` puts into the stream. @throws std::runtime_error as OutputFile. */
 void writeFile(const std::string& path, const std::function<void(std::ostream&)>& write);
 

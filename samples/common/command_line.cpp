@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "output_file.hpp"
+
 namespace samples {
 
 namespace {
@@ -72,14 +74,17 @@ int runProgram(int argc, char** argv, const std::string& keys, const std::string
     }
     arguments.options.about(about);
     const bool help = arguments.options.has("help");
-    if (help || !unknown.empty() || arguments.files.size() < fewestFiles) {
-        if (!unknown.empty())
-            std::cerr << "unknown option " << unknown << std::endl;
-        arguments.options.printMessage();
-        return help ? 0 : 2;
-    }
+    const bool understood = unknown.empty() && arguments.files.size() >= fewestFiles;
+    if (!unknown.empty())
+        std::cerr << "unknown option " << unknown << std::endl;
     try {
-        return run(arguments);
+        int code = help ? 0 : 2;
+        if (help || !understood)
+            arguments.options.printMessage();
+        else
+            code = run(arguments);
+        files::flushStandardOutput();
+        return code;
     } catch (const std::exception& error) {
         std::cerr << argv[0] << ": " << error.what() << std::endl;
         return 1;

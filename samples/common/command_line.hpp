@@ -39,8 +39,8 @@ struct Arguments
 /** The camera matrix of an option --camera, "fx fy cx cy" in px. @throws std::runtime_error for anything else. */
 cv::Matx33d cameraMatrixOf(const Arguments& arguments);
 
-/** The body of main(): parses the arguments, answers --help, calls `run` and turns an exception into a message and
-exit code 1. Wrong usage (an unknown option, too few files) is exit code 2. */
+/** The body of main(): parses the arguments, answers --help, calls `run` and turns an exception, or output that cannot
+be written, into a message and exit code 1. Wrong usage (an unknown option, too few files) is exit code 2. */
 int runProgram(int argc, char** argv, const std::string& keys, const std::string& about, size_t fewestFiles,
                const std::function<int(const Arguments&)>& run);
 

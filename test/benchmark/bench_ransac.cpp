@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "measuring.hpp"
+#include "output_file.hpp"
 
 namespace {
 
@@ -301,26 +302,8 @@ void printChance(double scale)
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv)
-try {
-    const cv::CommandLineParser arguments(
-        argc, argv, "{help||}{scale|1|share of the problems}{chance||count the poses of data without one instead}");
-    if (arguments.has("help")) {
-        arguments.printMessage();
-        return 0;
-    }
-    const double scale = arguments.get<double>("scale");
-    if (!arguments.check() || !(scale > 0)) {
-        std::fprintf(stderr, "bench_ransac: --scale must be a positive number\n");
-        return 2;
-    }
-    cv::setNumThreads(1);
-    if (arguments.has("chance")) {
-        printChance(scale);
-        return 0;
-    }
+void printComparison(double scale)
+{
     std::printf(
         "OpenCV %s; threshold %.0f px, confidence %.2f, at most %d iterations. Per method: right poses in %% (95 %% "
         "interval) · mean rotation error · mean translation error in %% · median time.\n",
@@ -332,6 +315,27 @@ try {
                 tally.cells, tally.success, tally.accuracy, tally.time);
     for (const std::string& line : tally.behind)
         std::printf("- %s\n", line.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+try {
+    const cv::CommandLineParser arguments(
+        argc, argv, "{help||}{scale|1|share of the problems}{chance||count the poses of data without one instead}");
+    const double scale = arguments.get<double>("scale");
+    cv::setNumThreads(1);
+    if (arguments.has("help")) {
+        arguments.printMessage();
+    } else if (!arguments.check() || !(scale > 0)) {
+        std::fprintf(stderr, "bench_ransac: --scale must be a positive number\n");
+        return 2;
+    } else if (arguments.has("chance")) {
+        printChance(scale);
+    } else {
+        printComparison(scale);
+    }
+    files::flushStandardOutput();
     return 0;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_ransac: %s\n", error.what());

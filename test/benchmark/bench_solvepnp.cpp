@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "measuring.hpp"
+#include "output_file.hpp"
 
 namespace {
 
@@ -241,25 +242,29 @@ void registerBenchmarks()
     }
 }
 
+bool runBenchmarks(int argc, char** argv)
+{
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv))
+        return false;
+    registerBenchmarks();
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 try {
     cv::setNumThreads(1);
-    if (argc == 2 && std::strcmp(argv[1], "--ratios") == 0) {
+    if (argc == 2 && std::strcmp(argv[1], "--ratios") == 0)
         printRatios();
-        return 0;
-    }
-    if (argc == 2 && std::strcmp(argv[1], "--batch") == 0) {
+    else if (argc == 2 && std::strcmp(argv[1], "--batch") == 0)
         printBatch();
-        return 0;
-    }
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv))
+    else if (!runBenchmarks(argc, argv))
         return 1;
-    registerBenchmarks();
-    benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
+    files::flushStandardOutput();
     return 0;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_solvepnp: %s\n", error.what());

@@ -15,12 +15,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <limits>
 #include <vector>
 
 #include "../../modules/gmlpnp/src/precomp.hpp"
 #include "../../modules/gmlpnp/src/ray_pass.hpp"
 #include "measuring.hpp"
+#include "output_file.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -261,7 +263,11 @@ void printTable(int n)
 }  // namespace cv
 
 int main()
-{
+try {
     cv::gmlpnp::detail::printTable(1000);
+    files::flushStandardOutput();
     return 0;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "roofline: %s\n", error.what());
+    return 1;
 }
