@@ -67,6 +67,14 @@ class Sample(unittest.TestCase):
         self.assertEqual((code, list(rows_of(output))), (0, ["GMLPNP"]))
         self.assertIn("GMLPNP also gives", output)
 
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
+    def test_a_full_disk_is_an_error(self):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            arguments = [sys.executable, PROGRAM, "--repeat=1", "--method=GMLPNP", FILES[0]]
+            done = subprocess.run(arguments, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("No space left on device", done.stderr)
+
     def test_mistakes(self):
         head, row = "# fx fy cx cy 500 500 320 240\n", "0.1 0.2 3 300 200\n"
         line = "".join(f"{i} {i} {i}0 {i}00 {i}00\n" for i in range(1, 9))

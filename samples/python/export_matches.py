@@ -14,6 +14,8 @@ Other matchers: call write_matches() with their pixels.
 import argparse
 import sys
 
+from output_file import write_text
+
 
 def write_matches(path, reference, query, confidence=None):
     """Writes N x 2 pixels of the reference, N x 2 of the query and, optionally, N confidences."""
@@ -23,10 +25,10 @@ def write_matches(path, reference, query, confidence=None):
     confidence = [1.0] * len(query) if confidence is None else list(confidence)
     if len(confidence) != len(query):
         raise ValueError(f"{len(confidence)} confidences for {len(query)} matches")
-    with open(path, "w", encoding="ascii") as file:
-        file.write("# u v u' v' confidence: pixel of the reference, pixel of the query\n")
-        for (u, v), (s, t), c in zip(reference, query, confidence):
-            file.write(f"{u:.3f} {v:.3f} {s:.3f} {t:.3f} {c:.4f}\n")
+    rows = ["# u v u' v' confidence: pixel of the reference, pixel of the query\n"]
+    for (u, v), (s, t), c in zip(reference, query, confidence):
+        rows.append(f"{u:.3f} {v:.3f} {s:.3f} {t:.3f} {c:.4f}\n")
+    write_text(path, "".join(rows))
 
 
 def match_lightglue(reference, query):

@@ -7,7 +7,9 @@
 each pose is. The twin of samples/textured_object.cpp."""
 
 import argparse
+import contextlib
 import csv
+import io
 import os
 import statistics
 import sys
@@ -17,6 +19,7 @@ import cv2
 import numpy as np
 
 import gmlpnp
+from output_file import partial_file, write_text
 
 COLUMNS = "frame found matches inliers ms rx ry rz tx_cm ty_cm tz_cm cx_cm cy_cm cz_cm camera_sd_cm".split()
 BLUE, ORANGE, WHITE = (178, 114, 0), (0, 94, 213), (255, 255, 255)
@@ -77,11 +80,41 @@ def draw(frame, pixels, inliers, camera, result, model):
     cv2.putText(frame, text, (10, 24), cv2.FONT_HERSHEY_SIMPLEX, 0.6, WHITE, 2, cv2.LINE_AA)
 
 
-def run(options):
+@contextlib.contextmanager
+def video_file(path):
+    """Yields a function that adds a frame. In the end the video has them all, or there is none."""
+    if not path:
+        yield lambda frame: None
+        return
+    out, frames = cv2.VideoWriter(), 0
+    with partial_file(path) as name:
+
+        def add(frame):
+            nonlocal frames
+            if not out.isOpened() and not out.open(name, cv2.VideoWriter_fourcc(*"MJPG"), 30, frame.shape[1::-1]):
+                raise OSError(f"{path}: cannot be written")
+            out.write(frame)
+            frames += 1
+
+        yield add
+        out.release()
+        # It does not say whether the disk was full, so the video is looked at.
+        if cv2.VideoCapture(name).get(cv2.CAP_PROP_FRAME_COUNT) != frames:
+            raise OSError(f"{path}: cannot be written")
+
+
+def write_csv(path, rows):
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows([COLUMNS] + rows)
+    write_text(path, text.getvalue())
+
+
+def track(options, add_to_video):
+    """The rows of all frames."""
     model, camera = Model(options.data), camera_of(options.camera)
     detector, matcher = cv2.ORB_create(options.features), cv2.BFMatcher(cv2.NORM_HAMMING)
     source = os.path.join(options.data, "box.mp4")
-    video, out, params = cv2.VideoCapture(source), None, gmlpnp.Params()
+    video, params = cv2.VideoCapture(source), gmlpnp.Params()
     if not video.isOpened():
         raise ValueError(f"{source}: cannot be opened as a video")
     ransac = gmlpnp.RansacParams(threshold=options.threshold, ordered=True)
@@ -103,12 +136,7 @@ def run(options):
             row += [f"{x:.6f}" for x in (*vectors, camera_deviation(result))]
         rows.append(row + [""] * (len(COLUMNS) - len(row)))
         draw(frame, pixels, inliers, camera, result, model)
-        if options.video and out is None:
-            out = cv2.VideoWriter(options.video, cv2.VideoWriter_fourcc(*"MJPG"), 30, frame.shape[1::-1])
-            if not out.isOpened():
-                raise ValueError(f"{options.video}: cannot be written")
-        if out is not None:
-            out.write(frame)
+        add_to_video(frame)
         if options.show:
             cv2.imshow("textured_object", frame)
             if cv2.waitKey(1) >= 0:
@@ -117,8 +145,13 @@ def run(options):
             print(f"frame {len(rows)}, {sum(r[1] for r in rows)} poses", file=sys.stderr)
     if not rows:
         raise ValueError(f"{source}: has no frame")
-    with open(options.csv, "w", newline="", encoding="ascii") as file:
-        csv.writer(file, lineterminator="\n").writerows([COLUMNS] + rows)
+    return rows
+
+
+def run(options):
+    with video_file(options.video) as add_to_video:
+        rows = track(options, add_to_video)
+        write_csv(options.csv, rows)
     poses = [row for row in rows if row[1]]
     if poses:
         inliers, times = statistics.median(row[3] for row in poses), statistics.median(float(row[4]) for row in rows)

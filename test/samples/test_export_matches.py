@@ -1,6 +1,6 @@
 """The exporter of samples/python writes what readMatches() documents; no matcher needs to be installed."""
 
-import importlib.util
+import importlib
 import os
 import sys
 import tempfile
@@ -10,10 +10,8 @@ PROGRAM = sys.argv.pop(1)
 
 
 def load():
-    spec = importlib.util.spec_from_file_location("export_matches", PROGRAM)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    sys.path.insert(0, os.path.dirname(PROGRAM))
+    return importlib.import_module("export_matches")
 
 
 class ExportMatches(unittest.TestCase):
@@ -30,6 +28,22 @@ class ExportMatches(unittest.TestCase):
             load().write_matches(os.devnull, [[1, 2]], [[1, 2], [3, 4]])
         with self.assertRaisesRegex(ValueError, "2 confidences for 1"):
             load().write_matches(os.devnull, [[1, 2]], [[1, 2]], [1, 1])
+
+    def test_an_error_leaves_what_was_there_and_nothing_else(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a__b.txt")
+            with open(path, "w", encoding="ascii") as file:
+                file.write("kept")
+            with self.assertRaises(ValueError):
+                load().write_matches(path, [[1, 2], [3, 4]], [[5, 6], [7, 8]], [1, "high"])
+            with open(path, encoding="ascii") as file:
+                self.assertEqual(file.read(), "kept")
+            self.assertEqual(os.listdir(folder), ["a__b.txt"])
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
+    def test_a_full_disk_is_an_error(self):
+        with self.assertRaisesRegex(OSError, "/dev/full: cannot be written"):
+            load().write_matches("/dev/full", [[1, 2]], [[3, 4]])
 
 
 if __name__ == "__main__":
