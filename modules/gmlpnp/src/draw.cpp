@@ -112,8 +112,8 @@ using namespace detail;
 void drawPoseUncertainty(InputOutputArray image, const Ptr<CameraModel>& camera, const Result& result, double length,
                          InputArray points, int thickness)
 {
-    Mat picture = image.getMat();
-    if (picture.empty() || picture.depth() != CV_8U || picture.channels() == 2 || picture.channels() > 4)
+    const Mat shown = image.getMat();
+    if (shown.empty() || shown.depth() != CV_8U || shown.channels() == 2 || shown.channels() > 4)
         CV_Error(Error::StsAssert, "image must be a picture of 8 bits with 1, 3 or 4 channels");
     if (!camera)
         CV_Error(Error::StsBadArg, "camera is null");
@@ -121,6 +121,7 @@ void drawPoseUncertainty(InputOutputArray image, const Ptr<CameraModel>& camera,
         CV_Error(Error::StsBadArg, format("length: %g is not positive", length));
     if (thickness < 1)
         CV_Error(Error::StsBadArg, format("thickness: %d is not positive", thickness));
+    Mat picture = shown.clone();  // so that no half of a drawing is left where memory runs out or `points` are none
     for (int axis = 2; axis >= 0; --axis) {
         Vec3d tip;
         tip[axis] = length;
@@ -135,6 +136,7 @@ void drawPoseUncertainty(InputOutputArray image, const Ptr<CameraModel>& camera,
         if (pixelUncertainty(*camera, result, Vec3d(all[i]), pixel, covariance) && cv::trace(covariance) > 0)
             drawEllipse(picture, pixel, covariance, std::max(1, thickness / 2));
     }
+    picture.copyTo(shown);
 }
 
 }  // namespace gmlpnp

@@ -106,13 +106,14 @@ TEST(Gmlpnp_Draw, misuse)
 {
     cv::RNG rng = testRng();
     const Result result = uncertainPose(rng);
-    Mat image = Mat::zeros(48, 64, CV_8UC3), deep = Mat::zeros(48, 64, CV_32F), none;
+    Mat image = Mat::zeros(480, 640, CV_8UC3), deep = Mat::zeros(48, 64, CV_32F), none;
     EXPECT_THROW(drawPoseUncertainty(none, lenses()[0], result, 1), cv::Exception);
     EXPECT_THROW(drawPoseUncertainty(deep, lenses()[0], result, 1), cv::Exception);
     EXPECT_THROW(drawPoseUncertainty(image, Ptr<CameraModel>(), result, 1), cv::Exception);
     EXPECT_THROW(drawPoseUncertainty(image, lenses()[0], result, 0), cv::Exception);
     EXPECT_THROW(drawPoseUncertainty(image, lenses()[0], result, 1, noArray(), 0), cv::Exception);
     EXPECT_THROW(drawPoseUncertainty(image, lenses()[0], result, 1, Mat(3, 2, CV_64F)), cv::Exception);
+    EXPECT_EQ(0, cv::norm(image)) << "drawn on";
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ The axes are those of cv::drawFrameAxes, x red, y green, z blue, for any lens: b
 ellipses hold the image of a point with a probability of 95 %: the covariance of the pose, carried to the pixel to first
 order. What the lens does not see is left out; without Result::poseCovariance there are no ellipses.
 
-@param image picture, 8 bits, 1, 3 (blue, green, red) or 4 channels; drawn on, white on one channel.
+@param image picture, 8 bits, 1, 3 (blue, green, red) or 4 channels; drawn on, white on one channel; untouched
+by a call that throws.
 @param camera the lens of the picture.
 @param result a pose with its covariance, of solve() and its kin.
 @param length of the axes, the length unit of the object.
