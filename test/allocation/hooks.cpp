@@ -4,6 +4,7 @@
 
 #include "hooks.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <climits>
@@ -35,7 +36,18 @@ void __libc_free(void* block);
 namespace {
 
 std::atomic<long> allocations{0}, liveBlocks{0}, firstFailure{0}, lastFailure{0};
-std::atomic<size_t> sizeOfFailure{0};
+
+// Of a failure: what was asked for, and the block that its thread had got right before, null once it is freed.
+struct Record
+{
+    std::atomic<size_t> size;
+    std::atomic<void*> blockBefore;
+};
+
+constexpr long RECORDS = 64;  // where all allocations fail a call is over after a few
+Record records[RECORDS];
+std::atomic<long> recorded{0};
+std::atomic<long> madeBefore{0};  // failAfter()
 
 }  // namespace
 
@@ -60,6 +72,10 @@ void failAfter(long count, bool onwards)
 {
     const long first = count > 0 ? allocations + count : 0;
     lastFailure = onwards ? LONG_MAX : first;
+    if (count > 0) {
+        madeBefore = made();
+        recorded = 0;
+    }
     firstFailure = first;
 }
 
@@ -68,9 +84,12 @@ bool failed()
     return firstFailure > 0 && allocations >= firstFailure;
 }
 
-size_t failedSize()
+std::vector<Failure> failures()
 {
-    return sizeOfFailure;
+    std::vector<Failure> all;
+    for (long k = 0; k < std::min(recorded.load(), RECORDS); ++k)
+        all.push_back({records[k].size, records[k].blockBefore != nullptr});
+    return all;
 }
 
 }  // namespace allocation
@@ -79,21 +98,50 @@ size_t failedSize()
 
 namespace {
 
+thread_local void* latestBlock = nullptr;  // of this thread,
+thread_local long latestNumber = 0;        // got when so many allocations had been made
+
+void record(size_t size)
+{
+    const long at = recorded++;
+    if (at >= RECORDS)
+        return;
+    records[at].size = size;
+    records[at].blockBefore = latestNumber > madeBefore ? latestBlock : nullptr;
+    latestBlock = nullptr;
+}
+
 bool fails(size_t size)
 {
     const long number = ++allocations;
     if (firstFailure == 0 || number < firstFailure || number > lastFailure)
         return false;
-    if (number == firstFailure)
-        sizeOfFailure = size;
+    record(size);
     errno = ENOMEM;
     return true;
+}
+
+void keep(void* block)
+{
+    latestBlock = block;
+    latestNumber = allocations;
 }
 
 void* counted(void* block)
 {
     liveBlocks += block != nullptr;
+    keep(block);
     return block;
+}
+
+void forget(void* block)
+{
+    if (latestBlock == block)
+        latestBlock = nullptr;
+    for (long k = 0; k < std::min(recorded.load(), RECORDS); ++k) {
+        void* expected = block;
+        records[k].blockBefore.compare_exchange_strong(expected, nullptr);
+    }
 }
 
 }  // namespace
@@ -111,7 +159,9 @@ void* realloc(void* block, size_t size)
 {
     if (fails(size))
         return nullptr;
+    forget(block);
     void* const moved = __libc_realloc(block, size);
+    keep(moved);
     liveBlocks += (block == nullptr && moved != nullptr) - (block != nullptr && size == 0);
     return moved;
 }
@@ -131,6 +181,7 @@ void* memalign(size_t alignment, size_t size)
 void free(void* block)
 {
     liveBlocks -= block != nullptr;
+    forget(block);
     __libc_free(block);
 }
 }

@@ -6,6 +6,7 @@
 #define GMLPNP_TEST_ALLOCATION_HOOKS_HPP
 
 #include <cstddef>
+#include <vector>
 
 // The program's own malloc and its kin, in front of glibc's for the whole process, shared libraries included: operator
 // new and cv::fastMalloc end in them.
@@ -27,8 +28,15 @@ void failAfter(long count, bool onwards = false);
 /** Whether one has failed since failAfter(). */
 bool failed();
 
-/** Size of the latest that was told to fail, bytes. */
-size_t failedSize();
+/** A failure, and the block that its thread had got right before and since failAfter(). */
+struct Failure
+{
+    size_t size;     //!< that was asked for, bytes
+    bool keptBlock;  //!< whether there was such a block, is still there and was not that of an earlier failure
+};
+
+/** Those since failAfter(), as many as are kept. */
+std::vector<Failure> failures();
 
 }  // namespace allocation
 
