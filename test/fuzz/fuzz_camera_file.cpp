@@ -5,11 +5,16 @@
 #include "fuzzed_file.hpp"
 #include "outcome.hpp"
 
-// Calibration files: YAML, XML, JSON, of every lens.
+#include <iterator>
+
+// Calibration files: YAML, XML, JSON, of every lens, and of a lens that only the caller names.
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
-    return fuzz::read<cv::Exception>(data, size, "camera", [](const std::string& path) {
-        fuzz::require(cv::gmlpnp::CameraModel::load(path, "pinhole") != nullptr, "a camera, or an exception");
-    });
+    const char* const others[] = {"", "fisheye", "omnidir", "eucm", "doubleSphere", "equirectangular", "MEI", "none"};
+    const std::string path = fuzz::fileOf(data, size, "camera");
+    for (const char* const model : {"pinhole", others[size % std::size(others)]})
+        fuzz::call(
+            [&] { fuzz::require(cv::gmlpnp::CameraModel::load(path, model) != nullptr, "a camera, or an exception"); });
+    return 0;
 }

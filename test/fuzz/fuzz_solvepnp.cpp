@@ -112,11 +112,13 @@ void refine(Bytes& bytes, const Arguments& in)
 {
     const cv::TermCriteria criteria{bytes.between(0, 3), bytes.pick({20, 1, 0, -1, -2147483647}), bytes.number()};
     Output rvec(bytes, in.rvec), tvec(bytes, in.tvec);
+    const bool isPose = rvec.finite() && tvec.finite();
     const bool returned = call([&] {
         gmlpnp::solvePnPRefine(in.objectPoints.in(), in.imagePoints.in(), in.cameraMatrix.in(), in.distCoeffs.in(),
                                rvec.ref(), tvec.ref(), criteria);
     });
-    require(returned || (rvec.unchanged() && tvec.unchanged()), "a failure that writes nothing");
+    requirePose(returned && !(rvec.unchanged() && tvec.unchanged()), rvec, tvec);
+    require(isPose || !returned || (rvec.unchanged() && tvec.unchanged()), "no pose from a guess that is none");
 }
 
 }  // namespace

@@ -191,7 +191,8 @@ Array::Array(Bytes& bytes, const Mat_<double>& plain)
     Mat_<double> numbers = plain.clone();
     spoil(bytes, numbers, static_cast<int>(numbers.total()));
     arrange(bytes, numbers);
-    before_ = memory_.clone();
+    for (const Mat& m : data())
+        before_.push_back(m.clone());
 }
 
 void Array::arrange(Bytes& bytes, Mat m)
@@ -252,9 +253,26 @@ cv::_InputArray Array::in() const
     }
 }
 
+std::vector<Mat> Array::data() const
+{
+    switch (kind_) {
+        case VECTOR:
+            return {Mat(points2_), Mat(points3_)};
+        case UMAT:
+            return {umat_.getMat(cv::ACCESS_READ)};
+        case LIST:
+            return list_;
+        case NONE:
+            return {};
+        default:
+            return {mat_, memory_};
+    }
+}
+
 bool Array::unchanged() const
 {
-    return sameBits(memory_, before_);
+    const std::vector<Mat> now = data();
+    return std::equal(now.begin(), now.end(), before_.begin(), before_.end(), sameBits);
 }
 
 Arguments::Arguments(Bytes& bytes)

@@ -38,14 +38,17 @@ private:
         NONE
     };
     Kind kind_ = NONE;
-    cv::Mat mat_, before_;  //!< before_: a copy of all memory behind mat_
-    cv::Mat memory_;        //!< mat_ is a part of it
+    cv::Mat mat_;
+    cv::Mat memory_;               //!< mat_ is a part of it
+    std::vector<cv::Mat> before_;  //!< copies of data()
     cv::UMat umat_;
     std::vector<cv::Point2d> points2_;
     std::vector<cv::Point3d> points3_;
     std::vector<cv::Mat> list_;
 
     void arrange(Bytes& bytes, cv::Mat m);
+    //! All that a function that gets in() could write to.
+    std::vector<cv::Mat> data() const;
 };
 
 /** What a call gets. */
