@@ -25,6 +25,7 @@
 #include "common/canvas.hpp"
 #include "common/command_line.hpp"
 #include "common/images.hpp"
+#include "common/object_model.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
 #include "output_file.hpp"
@@ -48,51 +49,6 @@ const char* const kKeys =
     "{picture        |     | write the last frame with a pose as this PNG}"
     "{show           |     | show the frames in a window; any key ends}";
 
-// --- Model ---
-
-struct Model
-{
-    std::vector<cv::Point3d> points;   // centimetres
-    cv::Mat descriptors;               // one row a point
-    std::vector<cv::Point3d> corners;  // of the mesh
-};
-
-//! The vertices of a PLY file in text form.
-std::vector<cv::Point3d> readCorners(const std::string& path)
-{
-    std::ifstream file(path);
-    if (!file)
-        throw std::runtime_error(path + ": cannot be opened");
-    std::string word;
-    size_t count = 0;
-    while (file >> word && word != "end_header")
-        if (word == "vertex")
-            file >> count;
-    std::vector<cv::Point3d> corners(count);
-    for (cv::Point3d& corner : corners)
-        file >> corner.x >> corner.y >> corner.z;
-    if (!file || corners.empty())
-        throw std::runtime_error(path + ": is not a mesh in text form");
-    return corners;
-}
-
-Model readModel(const std::string& folder)
-{
-    const std::string path = folder + "/cookies_ORB.yml";
-    const cv::FileStorage file(path, cv::FileStorage::READ);
-    if (!file.isOpened())
-        throw std::runtime_error(path + ": cannot be opened");
-    Model model;
-    cv::Mat points;
-    file["points_3d"] >> points;
-    file["descriptors"] >> model.descriptors;
-    if (points.empty() || points.rows != model.descriptors.rows)
-        throw std::runtime_error(path + ": no points_3d with a row of descriptors each");
-    points.reshape(3, points.rows).copyTo(model.points);
-    model.corners = readCorners(folder + "/box.ply");
-    return model;
-}
-
 //! 55 mm on a sensor of 22.3 x 14.9 mm, 640 x 480 px: what OpenCV's program takes.
 cv::Ptr<CameraModel> cameraOf(const Arguments& arguments)
 {
@@ -113,7 +69,7 @@ struct Correspondences
 class Matcher
 {
 public:
-    Matcher(const Model& model, int features, float ratio)
+    Matcher(const ObjectModel& model, int features, float ratio)
         : model_(model), detector_(cv::ORB::create(features)), matcher_(cv::NORM_HAMMING), ratio_(ratio)
     {}
 
@@ -141,7 +97,7 @@ public:
     }
 
 private:
-    const Model& model_;
+    const ObjectModel& model_;
     cv::Ptr<cv::ORB> detector_;
     cv::BFMatcher matcher_;
     float ratio_;
@@ -190,7 +146,7 @@ double uncertainty(const FramePose& pose)
     return std::sqrt(eigenvalues.at<double>(0));
 }
 
-void draw(cv::Mat& frame, const Correspondences& matches, const Model& model, const cv::Ptr<CameraModel>& camera,
+void draw(cv::Mat& frame, const Correspondences& matches, const ObjectModel& model, const cv::Ptr<CameraModel>& camera,
           const FramePose& pose)
 {
     for (const cv::Point2d& pixel : matches.imagePoints)
@@ -257,7 +213,7 @@ struct Summary
 
 int run(const Arguments& arguments)
 {
-    const Model model = readModel(arguments.files[0]);
+    const ObjectModel model = readObjectModel(arguments.files[0]);
     const cv::Ptr<CameraModel> camera = cameraOf(arguments);
     Matcher matcher(model, arguments.get<int>("features"), arguments.get<float>("ratio"));
     const double threshold = arguments.get<double>("threshold");
