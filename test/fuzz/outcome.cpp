@@ -4,9 +4,13 @@
 
 #include "outcome.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+
+#include "fuzzed_arguments.hpp"
 
 namespace fuzz {
 
@@ -26,6 +30,13 @@ bool finite(const cv::Vec3d& v)
 
 // A known noise goes back as it came, which may be positive semidefinite to its own rounding only.
 constexpr double OF_KNOWN_NOISE = 1e-6;
+
+// Nothing where the noise was given.
+void requireErrors(const cv::Mat& m, const char* promise)
+{
+    require(m.empty() || (m.rows == 3 && m.cols == 3 && m.type() == CV_64F), promise);
+    require(m.empty() || cv::checkRange(m, true, nullptr, 0, DBL_MAX), promise);
+}
 
 void requireCovariance(const cv::Mat& m, int size, const char* promise, double rounding = 0)
 {
@@ -49,31 +60,55 @@ void require(bool holds, const char* promise)
     std::abort();
 }
 
+namespace {
+
+// Of a Result or a const one.
+template <class R>
+auto matricesOf(R& r)
+{
+    return std::array{&r.poseCovariance, &r.poseCovarianceRt,  &r.cameraCenterCovariance, &r.objectNoise,
+                      &r.bearingNoise,   &r.objectNoiseStdErr, &r.bearingNoiseStdErr,     &r.weights};
+}
+
+cv::Mat numbersOf(const Result& r)
+{
+    std::vector<double> all = {r.cost, r.noiseEvidence, r.tailShare, r.tailDof};
+    for (const int number : {r.status, r.rounds, r.objectNoiseRank, r.noiseModel, r.usedPoints})
+        all.push_back(number);
+    for (const cv::Vec3d& v : {r.rvec, r.tvec, r.cameraCenter})
+        all.insert(all.end(), v.val, v.val + 3);
+    return cv::Mat(all, true);
+}
+
+}  // namespace
+
 Result untouchedResult()
 {
     Result result;
-    result.status = -7;
-    result.rounds = -7;
-    result.cost = -7;
+    for (int* number :
+         {&result.status, &result.rounds, &result.objectNoiseRank, &result.noiseModel, &result.usedPoints})
+        *number = -7;
+    for (double* number : {&result.cost, &result.noiseEvidence, &result.tailShare, &result.tailDof})
+        *number = -7;
     result.rvec = result.tvec = result.cameraCenter = cv::Vec3d::all(-7);
-    for (cv::Mat* m : {&result.poseCovariance, &result.poseCovarianceRt, &result.cameraCenterCovariance,
-                       &result.objectNoise, &result.bearingNoise, &result.weights})
+    for (cv::Mat* m : matricesOf(result))
         *m = cv::Mat(1, 1, CV_64F, cv::Scalar(-7));
-    result.objectNoiseRank = result.noiseModel = result.usedPoints = -7;
-    result.noiseEvidence = result.tailShare = result.tailDof = -7;
     return result;
+}
+
+bool same(const Result& a, const Result& b)
+{
+    const auto ofA = matricesOf(a), ofB = matricesOf(b);
+    return sameBits(numbersOf(a), numbersOf(b)) &&
+           std::equal(ofA.begin(), ofA.end(), ofB.begin(),
+                      [](const cv::Mat* m, const cv::Mat* n) { return sameBits(*m, *n); });
 }
 
 bool untouched(const Result& result)
 {
-    for (const cv::Mat* m : {&result.poseCovariance, &result.poseCovarianceRt, &result.cameraCenterCovariance,
-                             &result.objectNoise, &result.bearingNoise, &result.weights})
-        if (m->total() != 1 || m->type() != CV_64F || m->at<double>(0) != -7)
-            return false;
-    const cv::Vec3d mark = cv::Vec3d::all(-7);
-    return result.rounds == -7 && result.cost == -7 && result.rvec == mark && result.tvec == mark &&
-           result.cameraCenter == mark && result.objectNoiseRank == -7 && result.noiseModel == -7 &&
-           result.usedPoints == -7 && result.noiseEvidence == -7 && result.tailShare == -7 && result.tailDof == -7;
+    Result marked = untouchedResult();
+    marked.status = result.status;
+    return same(result, marked);
 }
 
 void requireSound(const Result& result)
@@ -89,6 +124,8 @@ void requireSound(const Result& result)
     require(result.usedPoints >= 3 && result.usedPoints <= result.weights.rows, "points that were used");
     requireCovariance(result.objectNoise, 3, "object noise", OF_KNOWN_NOISE);
     requireCovariance(result.bearingNoise, 3, "bearing noise", OF_KNOWN_NOISE);
+    requireErrors(result.objectNoiseStdErr, "errors of the object noise");
+    requireErrors(result.bearingNoiseStdErr, "errors of the bearing noise");
     if (result.poseCovariance.empty())
         return;
     requireCovariance(result.poseCovariance, 6, "covariance of the pose");

@@ -29,6 +29,9 @@ bool call(const Function& function)
 /** A result as no function makes it, to see whether one was written. */
 cv::gmlpnp::Result untouchedResult();
 
+/** Whether two results are equal in every bit. */
+bool same(const cv::gmlpnp::Result& a, const cv::gmlpnp::Result& b);
+
 /** Whether it is still untouchedResult(), its status apart. */
 bool untouched(const cv::gmlpnp::Result& result);
 
