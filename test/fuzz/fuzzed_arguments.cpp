@@ -86,18 +86,6 @@ void spoil(Bytes& bytes, Array& numbers, int count)
         numbers(bytes.take<uint16_t>() % count) = bytes.number();
 }
 
-// A matrix of any size, type and content.
-Mat anyMat(Bytes& bytes)
-{
-    const int depth = bytes.between(0, 7), type = CV_MAKETYPE(depth, bytes.between(1, 5));
-    const int sizes[] = {bytes.between(0, 15), bytes.between(0, 5), bytes.between(0, 5)};
-    Mat m(bytes.between(0, 7) < 6 ? 2 : 3, sizes, type, cv::Scalar::all(0));
-    uchar* const data = m.data;
-    for (size_t i = 0; i < m.total() * m.elemSize() && !bytes.empty(); ++i)
-        data[i] = bytes.take<uchar>();
-    return m;
-}
-
 // The caller's own lens, which keeps no promise.
 class CarelessLens : public CameraModel
 {
@@ -175,6 +163,17 @@ cv::gmlpnp::Params paramsFrom(Bytes& bytes, const Problem& problem)
 }
 
 }  // namespace
+
+Mat anyMat(Bytes& bytes)
+{
+    const int depth = bytes.between(0, 7), type = CV_MAKETYPE(depth, bytes.between(1, 5));
+    const int sizes[] = {bytes.between(0, 15), bytes.between(0, 5), bytes.between(0, 5)};
+    Mat m(bytes.between(0, 7) < 6 ? 2 : 3, sizes, type, cv::Scalar::all(0));
+    uchar* const data = m.data;
+    for (size_t i = 0; i < m.total() * m.elemSize() && !bytes.empty(); ++i)
+        data[i] = bytes.take<uchar>();
+    return m;
+}
 
 bool sameBits(const Mat& a, const Mat& b)
 {

@@ -86,6 +86,9 @@ private:
     cv::Mat mat_, matBefore_;
 };
 
+/** A matrix of any size, type and content. */
+cv::Mat anyMat(Bytes& bytes);
+
 /** Whether two matrices are equal in type, shape and every bit. */
 bool sameBits(const cv::Mat& a, const cv::Mat& b);
 
