@@ -66,10 +66,13 @@ Outputs outputsFor(const Problem& problem, Vectors& before)
     return out;
 }
 
-bool isPose(const Vectors& vectors)
+// Any finite rvec is a rotation up to the rounding of its sine; ours are the shortest of theirs, OpenCV's need not be.
+bool isPose(const Vectors& vectors, bool ours)
 {
     constexpr double ROUNDING = 1e-9;
     if (!toEigen(vectors.rvec).allFinite() || !toEigen(vectors.tvec).allFinite())
+        return false;
+    if (ours && toEigen(vectors.rvec).norm() > CV_PI + ROUNDING)
         return false;
     const Matrix3d R = expSO3(toEigen(vectors.rvec));
     return (R.transpose() * R - Matrix3d::Identity()).norm() < ROUNDING && R.determinant() > 0;
@@ -162,7 +165,7 @@ Verdict judge(const Solver& solver, const Problem& problem)
         verdict.outputTouched = !same(before.rvec, after.rvec) || !same(before.tvec, after.tvec);
         return verdict;
     }
-    verdict.badPose = !isPose(after);
+    verdict.badPose = !isPose(after, solver.ours);
     verdict.badResult = solver.fullResult && !isComplete(outputs.result, problem.n);
     verdict.pose = {expSO3(toEigen(after.rvec)), toEigen(after.tvec)};
     verdict.lost = problem.solvable() && !(synthetic::rotationAngle(verdict.pose.R, problem.truth.R) < LOST);

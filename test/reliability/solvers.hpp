@@ -44,11 +44,11 @@ struct Verdict
     bool foreignException = false;  //!< another
     bool inputChanged = false;
     bool outputTouched = false;  //!< although there is no pose
-    bool badPose = false;        //!< success with a number that is not finite, or a rotation that is none
-    bool badResult = false;      //!< success with another such number, or with a covariance that is none
-    bool refused = false;        //!< a solvable problem
-    bool lost = false;           //!< success on a solvable problem, more than 0.5 rad from the truth
-    Pose pose;                   //!< of a success
+    bool badPose = false;    //!< success with a number that is not finite, or a rotation that is none; ours: beyond pi
+    bool badResult = false;  //!< success with another such number, or with a covariance that is none
+    bool refused = false;    //!< a solvable problem
+    bool lost = false;       //!< success on a solvable problem, more than 0.5 rad from the truth
+    Pose pose;               //!< of a success
 };
 
 Verdict judge(const Solver& solver, const Problem& problem);
