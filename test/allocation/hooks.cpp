@@ -10,13 +10,7 @@
 #include <climits>
 #include <cstdlib>
 
-#if defined(__has_feature)  // clang's way to say so
-#define SANITIZED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SANITIZED 1
-#else
-#define SANITIZED 0
-#endif
+#include "sanitized.hpp"
 
 #if SANITIZED || !defined(__GLIBC__)
 #define CANNOT_COUNT 1

@@ -13,14 +13,11 @@
 #include <vector>
 
 #include "opencv2/gmlpnp.hpp"
+#include "sanitized.hpp"
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-const bool cannotMeasure = true;  // their shadows are resident too
-#else
-const bool cannotMeasure = false;
-#endif
+const bool cannotMeasure = SANITIZED != 0;  // shadow memory is resident too
 
 double peakBytes()
 {
