@@ -96,9 +96,11 @@ View drawView(cv::RNG& rng, Problem& problem)
     problem.distance = logUniform(rng, 2.5, 1e3);
     view.centre = Vector3d(rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), 1).normalized() * problem.distance;
     const Matrix3d shape = view.R * axesOf(problem).asDiagonal();
-    const int places = problem.shape == Shape::REPEATED && problem.n > 0 ? rng.uniform(1, problem.n + 1) : problem.n;
+    const bool repeated = problem.shape == Shape::REPEATED && problem.n > 0;
+    problem.places = repeated ? rng.uniform(1, problem.n + 1) : problem.n;
     for (int i = 0; i < problem.n; ++i)
-        view.X[i] = i < places ? Vector3d(view.centre + shape * cubePoint(rng)) : view.X[rng.uniform(0, places)];
+        view.X[i] = i < problem.places ? Vector3d(view.centre + shape * cubePoint(rng))
+                                       : view.X[rng.uniform(0, problem.places)];
     if (problem.shape == Shape::AROUND) {
         problem.distance = 1;
         view.centre = direction(rng) * rng.uniform(0., 1.);
@@ -220,11 +222,11 @@ void drawGuess(cv::RNG& rng, Problem& problem)
 
 bool Problem::solvable() const
 {
-    constexpr int FEWEST = 6;
+    constexpr int FEWEST = 6, FEWEST_PLACES = 4;
     constexpr double CONDITION = 1e6, DEVIATION = 0.05;
-    return n >= FEWEST && condition <= CONDITION && rotationDeviation <= DEVIATION && centreDeviation <= DEVIATION &&
-           outliers == 0 && !corrupt && shape != Shape::BEHIND && shape != Shape::UNRELATED &&
-           (guess == Guess::NONE || guess == Guess::NEAR);
+    return n >= FEWEST && places >= FEWEST_PLACES && condition <= CONDITION && rotationDeviation <= DEVIATION &&
+           centreDeviation <= DEVIATION && outliers == 0 && !corrupt && shape != Shape::BEHIND &&
+           shape != Shape::UNRELATED && (guess == Guess::NONE || guess == Guess::NEAR);
 }
 
 Problem randomProblem(int seed, int index)

@@ -49,6 +49,7 @@ struct Problem
     Shape shape = Shape::SOLID;
     Guess guess = Guess::NONE;
     int n = 0;
+    int places = 0;          //!< distinct ones among the points, before noise
     double scale = 1;        //!< size of the object, the caller's length: 1e-6 to 1e9
     double offset = 0;       //!< of its centre from the origin: 0, or 1 to 1e8
     double thickness = 1;    //!< of a slab or rod
@@ -65,8 +66,8 @@ struct Problem
     double rotationDeviation = 0, centreDeviation = 0;
 
     bool hasGuess() const { return guess != Guess::NONE; }
-    /** n >= 6, condition at most 1e6, deviations at most 0.05; no outliers, nothing behind the camera; a guess, if
-    there is one, is near. */
+    /** n >= 6 at four places or more (three have several exact poses), condition at most 1e6, deviations at most 0.05;
+    no outliers, nothing behind the camera; a guess, if there is one, is near. */
     bool solvable() const;
 };
 

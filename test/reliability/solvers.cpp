@@ -106,7 +106,7 @@ bool isComplete(const Result& result, int n)
 
 Solver rays(const std::string& name, int method)
 {
-    return {name, true, false, true, [method](const Problem& problem, Outputs& outputs) {
+    return {name, method, true, false, true, [method](const Problem& problem, Outputs& outputs) {
                 cv::gmlpnp::Params params;
                 params.method = method;
                 params.useExtrinsicGuess = problem.hasGuess();
@@ -118,7 +118,7 @@ Solver rays(const std::string& name, int method)
 
 Solver pixels(const std::string& name, bool ours, int flag)
 {
-    return {name, ours, true, false, [flag](const Problem& problem, Outputs& outputs) {
+    return {name, flag, ours, true, false, [flag](const Problem& problem, Outputs& outputs) {
                 return cv::gmlpnp::solvePnP(problem.points, problem.pixels, synthetic::paperCamera(), cv::noArray(),
                                             outputs.rvec, outputs.tvec, problem.hasGuess(), flag);
             }};

@@ -23,6 +23,7 @@ struct Outputs
 struct Solver
 {
     std::string name;
+    int method;  //!< a flag of cv::gmlpnp::solvePnP
     bool ours;
     bool wantsPixels;  //!< the others take rays
     bool fullResult;   //!< it writes Outputs::result, the others rvec and tvec

@@ -53,7 +53,8 @@ public:
     /** Whether no pose can follow: points on one line or at one place, or rays all in one direction. */
     CV_EXPORTS bool degenerate() const;
 
-    /** Whether the points are at so many distinct places, up to 4; nearer than a millionth of the object is the same. */
+    /** Whether the points are at so many distinct places, up to 4; nearer than a millionth of the object is the same.
+     */
     CV_EXPORTS bool hasPlaces(int wanted) const;
 
     CV_EXPORTS Pose toObject(const Pose& normalised) const;

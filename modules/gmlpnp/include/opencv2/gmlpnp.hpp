@@ -108,9 +108,9 @@ struct CV_EXPORTS_W_SIMPLE Result
     CV_PROP_RW Vec3d tvec;  //!< translation, the caller's length
     //! 6x6 covariance of the left perturbation (phi, delta): R_true = Exp(phi) R, t_true = Exp(phi) t + delta;
     //! rad and length. Empty where the data leave no residual to judge it by (three points). This one and that of the
-    //! camera's centre are of first order about the camera: where the deviation of the rotation [rad] squared, times |t|,
-    //! is not far below the deviation of t (small objects at 20 of their sizes and more), ask poseCovarianceRt. None of
-    //! them knows of another minimum: a flat object far away has two poses (solveAll()).
+    //! camera's centre are of first order about the camera: where the deviation of the rotation [rad] squared, times
+    //! |t|, is not far below the deviation of t (small objects at 20 of their sizes and more), ask poseCovarianceRt.
+    //! None of them knows of another minimum: a flat object far away has two poses (solveAll()).
     CV_PROP_RW Mat poseCovariance;
     CV_PROP_RW Mat poseCovarianceRt;        //!< 6x6 covariance of (rvec, tvec); empty as above
     CV_PROP_RW Vec3d cameraCenter;          //!< -R^T t, object frame, length
