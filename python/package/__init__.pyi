@@ -117,6 +117,7 @@ class Result:
     objectNoiseRank: int
     noiseModel: int
     noiseEvidence: float
+    poseEvidence: float
     tailShare: float
     tailDof: float
     weights: Optional[_Float64]

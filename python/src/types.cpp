@@ -147,6 +147,11 @@ void addResult(py::module_& m)
             "noiseEvidence", &Result::noiseEvidence,
             "By how much the likelihood prefers noiseModel to the next best, nat; inf where there was no choice. Below "
             "about 3 the data cannot tell, and poseCovariance holds the spread of the explanations.")
+        .add("poseEvidence", &Result::poseEvidence,
+             "By how much this pose is likelier than the best other minimum, nat; inf where there is none or none was "
+             "looked for (a guess, RANSAC). Below about 3 the data cannot tell, as with a small flat object far away: "
+             "see "
+             "solveAll. The covariances know of this minimum only.")
         .add(
             "tailShare", &Result::tailShare,
             "Share of the points whose noise is wider than objectNoise and bearingNoise say: for them 6.25 times these "

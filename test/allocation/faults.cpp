@@ -72,7 +72,7 @@ public:
             add(v);
         for (const int number : {r.status, r.rounds, r.objectNoiseRank, r.noiseModel, r.usedPoints})
             all.push_back(number);
-        all.insert(all.end(), {r.cost, r.noiseEvidence, r.tailShare, r.tailDof});
+        all.insert(all.end(), {r.cost, r.noiseEvidence, r.poseEvidence, r.tailShare, r.tailDof});
     }
 
     template <class Element>

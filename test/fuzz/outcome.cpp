@@ -72,7 +72,7 @@ auto matricesOf(R& r)
 
 cv::Mat numbersOf(const Result& r)
 {
-    std::vector<double> all = {r.cost, r.noiseEvidence, r.tailShare, r.tailDof};
+    std::vector<double> all = {r.cost, r.noiseEvidence, r.poseEvidence, r.tailShare, r.tailDof};
     for (const int number : {r.status, r.rounds, r.objectNoiseRank, r.noiseModel, r.usedPoints})
         all.push_back(number);
     for (const cv::Vec3d& v : {r.rvec, r.tvec, r.cameraCenter})
@@ -88,7 +88,8 @@ Result untouchedResult()
     for (int* number :
          {&result.status, &result.rounds, &result.objectNoiseRank, &result.noiseModel, &result.usedPoints})
         *number = -7;
-    for (double* number : {&result.cost, &result.noiseEvidence, &result.tailShare, &result.tailDof})
+    for (double* number :
+         {&result.cost, &result.noiseEvidence, &result.poseEvidence, &result.tailShare, &result.tailDof})
         *number = -7;
     result.rvec = result.tvec = result.cameraCenter = cv::Vec3d::all(-7);
     for (cv::Mat* m : matricesOf(result))
@@ -119,7 +120,8 @@ void requireSound(const Result& result)
     require(cv::norm(result.rvec) <= CV_PI + 1e-9, "a rotation vector within pi");
     require(std::isfinite(result.cost), "a finite cost");
     require(result.rounds >= 0, "rounds");
-    require(!(result.tailDof <= 0) && !(result.noiseEvidence < 0), "degrees of freedom and evidence");
+    require(!(result.tailDof <= 0) && !(result.noiseEvidence < 0) && !std::isnan(result.poseEvidence),
+            "degrees of freedom and evidence");
     require(result.weights.cols == 1 && finite(result.weights), "weights");
     require(result.usedPoints >= 3 && result.usedPoints <= result.weights.rows, "points that were used");
     requireCovariance(result.objectNoise, 3, "object noise", OF_KNOWN_NOISE);

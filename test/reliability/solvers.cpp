@@ -100,7 +100,7 @@ bool isComplete(const Result& result, int n)
            isCovariance(result.cameraCenterCovariance, 3) && isCovariance(result.objectNoise, 3) &&
            isCovariance(result.bearingNoise, 3) && result.weights.rows == n &&
            cv::checkRange(result.weights, true, nullptr, 0, DBL_MAX) && result.tailDof > 0 &&
-           result.noiseEvidence >= 0 && result.usedPoints == n &&
+           result.noiseEvidence >= 0 && !std::isnan(result.poseEvidence) && result.usedPoints == n &&
            (result.status == cv::gmlpnp::STATUS_CONVERGED || result.status == cv::gmlpnp::STATUS_MAX_ROUNDS);
 }
 

@@ -51,7 +51,8 @@ struct Estimate
     int rounds = 0;
     bool converged = false;
     double evidence = std::numeric_limits<double>::infinity();  //!< by how much the kind of noise beats the next, nat
-    Matrix6d spread = Matrix6d::Zero();                         //!< covariance of xi between the kinds of noise
+    double poseEvidence = std::numeric_limits<double>::infinity();  //!< by how much the minimum beats the others, nat
+    Matrix6d spread = Matrix6d::Zero();                             //!< covariance of xi between the kinds of noise
 };
 
 /** The alternation: one Gauss-Newton step for the pose and one update of the noise from the sums of one pass. */

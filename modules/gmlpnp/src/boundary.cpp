@@ -26,6 +26,7 @@ Result::Result()
       objectNoiseRank(0),
       noiseModel(NOISE_GIVEN),
       noiseEvidence(0),
+      poseEvidence(0),
       tailShare(0),
       tailDof(std::numeric_limits<double>::infinity()),
       usedPoints(0)
@@ -313,6 +314,7 @@ Result toResult(const Solution& solution, Status status, const Input& input)
     out.objectNoiseRank = rank(solution.noise.Sigma, NUMERICAL_RANK);
     out.noiseModel = noiseModelOf(solution.kind);
     out.noiseEvidence = solution.evidence;
+    out.poseEvidence = solution.poseEvidence;
     out.tailShare = solution.noise.tails.share;
     out.tailDof = nearestStudentT(solution.noise.tails);
     out.usedPoints = static_cast<int>(input.used.size());

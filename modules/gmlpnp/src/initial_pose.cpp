@@ -260,9 +260,8 @@ bool oneCapHoldsAll(const Matrix9d& Omega, const LeastEigen& least, double most)
 }
 
 // The minimum where it is the only one of its cost: most scenes that are not flat.
-std::optional<PoseCandidate> certifiedMinimum(const Correspondences& data, const RotationCost& cost)
+std::optional<PoseCandidate> certifiedMinimum(const Correspondences& data, const RotationCost& cost, double costRatio)
 {
-    constexpr double COST_RATIO = 1.1;  // more would leave most scenes without a certificate
     const std::optional<LeastEigen> least = leastEigen(cost.Omega);
     const std::optional<Matrix3d> start = least ? rotationFrom(least->vector) : std::nullopt;
     if (!start)
@@ -270,18 +269,18 @@ std::optional<PoseCandidate> certifiedMinimum(const Correspondences& data, const
     const PoseCandidate found = descend(cost, *start);
     // Eigenvalues below the rounding of Omega cannot be told from zero.
     const double rounding = 1e-12 * cost.Omega.trace();
-    if (!oneCapHoldsAll(cost.Omega, *least, COST_RATIO * found.cost + rounding) || !inFront(data, found.pose))
+    if (!oneCapHoldsAll(cost.Omega, *least, costRatio * found.cost + rounding) || !inFront(data, found.pose))
         return std::nullopt;
     return found;
 }
 
 }  // namespace
 
-std::vector<PoseCandidate> initialPoses(const Correspondences& data, double costRatio)
+std::vector<PoseCandidate> initialPoses(const Correspondences& data, double costRatio, double certified)
 {
     const RotationCost cost = rotationCost(data);
-    if (std::isfinite(costRatio))
-        if (const std::optional<PoseCandidate> only = certifiedMinimum(data, cost))
+    if (std::isfinite(costRatio) && std::isfinite(certified))
+        if (const std::optional<PoseCandidate> only = certifiedMinimum(data, cost, certified))
             return {*only};
     std::vector<PoseCandidate> minima;
     searchMinima(data, cost, minima);

@@ -21,10 +21,14 @@ struct PoseCandidate
 /** Minima up to this ratio to the best cost are kept: noise of one shape for all points may have swapped them. */
 constexpr double INITIAL_COST_RATIO = 2;
 
+/** A proof that there is no other minimum up to this ratio: more would leave most scenes without a proof. */
+constexpr double CERTIFIED_COST_RATIO = 1.1;
+
 /** All distinct minima with most points in front of the camera, best first, whose cost is within `costRatio` of the
-best; empty where there is none. Unless `costRatio` is infinite one is enough where it is proved to be the only one
-within a tenth of the best. No guess is needed; any direction of the rays will do. */
-CV_EXPORTS std::vector<PoseCandidate> initialPoses(const Correspondences& data, double costRatio = INITIAL_COST_RATIO);
+best; empty where there is none. One is enough where it is proved to be the only one up to the ratio `certified`;
+infinite ratios: no proof is tried. No guess is needed; any direction of the rays will do. */
+CV_EXPORTS std::vector<PoseCandidate> initialPoses(const Correspondences& data, double costRatio = INITIAL_COST_RATIO,
+                                                   double certified = CERTIFIED_COST_RATIO);
 
 }  // namespace detail
 }  // namespace gmlpnp

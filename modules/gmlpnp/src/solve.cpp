@@ -24,23 +24,54 @@ bool chosenAsMinimum(const Correspondences& data, const Options& options)
            data.size() >= MIN_POINTS_COVARIANCE;
 }
 
-// Where the best minimum is chosen, the best first.
-std::vector<Pose> startingPoses(const Correspondences& data, const Options& options)
+// Up to which ratio of the costs a minimum is less than EVIDENCE nat behind: noise that is estimated, or known, from
+// the n - 3 pairs of coordinates that the pose leaves.
+double rivalRatio(int n)
+{
+    constexpr double EVIDENCE = 3;
+    constexpr int FEW = 5;  // with one or two pairs any cost is possible
+    return n > FEW ? std::exp(EVIDENCE / (n - 3)) : std::numeric_limits<double>::infinity();
+}
+
+// The cost of a minimum becomes its negative log-likelihood [nat] at a noise that is estimated with it, as far as the
+// freedom of the residuals counts.
+void rate(const Correspondences& data, const Options& options, PoseCandidate& minimum)
+{
+    constexpr double EXACT = 1e-13;  // what is below is rounding
+    const int n = data.size();
+    if (chosenAsMinimum(data, options))
+        minimum.cost = costOfMinimum(data, minimum.pose, options.stopping.robust) / freedom(n);
+    else
+        minimum.cost = std::max(n - 3, 1) * std::log(std::max(minimum.cost, EXACT * n));
+}
+
+// Where the best minimum is chosen, the best first; with their costs in nats.
+std::vector<PoseCandidate> startingPoses(const Correspondences& data, const Options& options)
 {
     if (options.guess)
-        return {isotropicPose(data, data.fromObject(*options.guess))};
-    const double all = std::numeric_limits<double>::infinity();
-    std::vector<PoseCandidate> minima = initialPoses(data, options.everyMinimum ? all : INITIAL_COST_RATIO);
-    if (minima.size() > 1 && chosenAsMinimum(data, options)) {
-        for (PoseCandidate& minimum : minima)
-            minimum.cost = costOfMinimum(data, minimum.pose, options.stopping.robust);
+        return {{isotropicPose(data, data.fromObject(*options.guess)), 0}};
+    const double all = std::numeric_limits<double>::infinity(), rivals = options.extras ? rivalRatio(data.size()) : 1;
+    std::vector<PoseCandidate> minima =
+        initialPoses(data, options.everyMinimum ? all : std::max(INITIAL_COST_RATIO, rivals),
+                     std::max(CERTIFIED_COST_RATIO, rivals));
+    if (minima.size() == 1)
+        return minima;
+    for (PoseCandidate& minimum : minima)
+        rate(data, options, minimum);
+    if (chosenAsMinimum(data, options))
         std::sort(minima.begin(), minima.end(),
                   [](const PoseCandidate& a, const PoseCandidate& b) { return a.cost < b.cost; });
-    }
-    std::vector<Pose> poses;
-    for (const PoseCandidate& minimum : minima)
-        poses.push_back(minimum.pose);
-    return poses;
+    return minima;
+}
+
+// By how much one of the minima is likelier than the best other [nat].
+double lead(const std::vector<PoseCandidate>& minima, size_t which)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (size_t k = 0; k < minima.size(); ++k)
+        if (k != which)
+            least = std::min(least, minima[k].cost - minima[which].cost);
+    return least;
 }
 
 Estimate estimate(const Correspondences& data, const Pose& start, const Options& options, const Parts& parts)
@@ -116,6 +147,7 @@ Solution toCaller(const Correspondences& data, const Estimate& found, const Opti
                       {area * found.noise.Sigma, found.noise.Gamma, found.noise.tails},
                       found.kind,
                       found.evidence,
+                      found.poseEvidence,
                       found.rounds,
                       found.converged,
                       found.sums.L + 2 * data.size() * std::log(data.scale),
@@ -139,11 +171,20 @@ bool samePose(const Pose& a, const Pose& b)
     return (a.R - b.R).norm() < SAME_POSE && (a.t - b.t).norm() < SAME_POSE * b.t.norm();
 }
 
+// With known noise the likelihoods of the poses themselves decide.
+void compareByKnown(std::vector<Estimate>& found)
+{
+    for (size_t k = 0; k < found.size(); ++k) {
+        const double other = found.size() == 1 ? std::numeric_limits<double>::infinity() : found[k == 0].sums.L;
+        found[k].poseEvidence = other - found[k].sums.L;
+    }
+}
+
 // The distinct poses that make sense, best first; one where the best minimum has been chosen.
 std::vector<Estimate> fit(const Correspondences& data, const Options& options, const Parts& parts)
 {
     const Correspondences& first = parts.empty() ? data : parts.front();
-    const std::vector<Pose> starts = startingPoses(first, options);
+    const std::vector<PoseCandidate> starts = startingPoses(first, options);
     const bool chosen = chosenAsMinimum(first, options);
     Options fitting = options;
     // The last sums are needed to compare with other poses and for all that is said about this one.
@@ -151,18 +192,18 @@ std::vector<Estimate> fit(const Correspondences& data, const Options& options, c
     fitting.stopping.last = needed ? LastSums::AT_POSE : LastSums::NOTHING;
     fitting.stopping.sampled = !options.extras;
     std::vector<Estimate> found;
-    for (const Pose& start : starts) {
-        Estimate candidate = estimate(data, start, fitting, parts);
+    for (size_t k = 0; k < starts.size() && !(chosen && !found.empty()); ++k) {
+        Estimate candidate = estimate(data, starts[k].pose, fitting, parts);
+        candidate.poseEvidence = lead(starts, k);
         if (options.guess)
             keepGuessIfBetter(data, data.fromObject(*options.guess), candidate);
         const auto known = [&](const Estimate& other) { return samePose(other.pose, candidate.pose); };
-        if (!sound(candidate, data.size()) || std::any_of(found.begin(), found.end(), known))
-            continue;
-        found.push_back(candidate);
-        if (chosen)
-            break;
+        if (sound(candidate, data.size()) && std::none_of(found.begin(), found.end(), known))
+            found.push_back(candidate);
     }
     std::sort(found.begin(), found.end(), [](const Estimate& a, const Estimate& b) { return a.sums.L < b.sums.L; });
+    if (!found.empty() && found.front().kind == NoiseKind::FIXED)
+        compareByKnown(found);
     return found;
 }
 

@@ -35,7 +35,7 @@ struct Solution
     Pose pose;
     Noise noise;
     NoiseKind kind;
-    double evidence;
+    double evidence, poseEvidence;
     int rounds;
     bool converged;
     double cost;

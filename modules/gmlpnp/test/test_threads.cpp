@@ -68,7 +68,7 @@ Bits bitsOf(const Result& r)
 {
     return bitsOf({cv::Mat(r.rvec), cv::Mat(r.tvec), r.poseCovariance, r.poseCovarianceRt, r.cameraCenterCovariance,
                    r.objectNoise, r.objectNoiseStdErr, r.bearingNoise, r.bearingNoiseStdErr, r.weights,
-                   cv::Mat(cv::Vec4d(r.cost, r.rounds, r.noiseEvidence, r.tailShare))});
+                   cv::Mat(cv::Matx<double, 5, 1>(r.cost, r.rounds, r.noiseEvidence, r.poseEvidence, r.tailShare))});
 }
 
 struct Function

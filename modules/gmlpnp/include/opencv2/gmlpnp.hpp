@@ -110,7 +110,6 @@ struct CV_EXPORTS_W_SIMPLE Result
     //! rad and length. Empty where the data leave no residual to judge it by (three points). This one and that of the
     //! camera's centre are of first order about the camera: where the deviation of the rotation [rad] squared, times
     //! |t|, is not far below the deviation of t (small objects at 20 of their sizes and more), ask poseCovarianceRt.
-    //! None of them knows of another minimum: a flat object far away has two poses (solveAll()).
     CV_PROP_RW Mat poseCovariance;
     CV_PROP_RW Mat poseCovarianceRt;        //!< 6x6 covariance of (rvec, tvec); empty as above
     CV_PROP_RW Vec3d cameraCenter;          //!< -R^T t, object frame, length
@@ -135,6 +134,11 @@ struct CV_EXPORTS_W_SIMPLE Result
     //! the data cannot tell; the pose is then the mean over the explanations, weighed by their likelihoods (and for an
     //! object of little depth by a prior for bearing noise), and poseCovariance holds their spread.
     CV_PROP_RW double noiseEvidence;
+    //! By how much this pose is likelier than the best other minimum [nat]; infinity where there is none, none up to 3
+    //! nat behind, or none was looked for (a guess, RANSAC). Below about 3 the data cannot tell, as with a small flat
+    //! object far away: see solveAll(). Negative: another, of solveAll(), is likelier. The covariances know of this
+    //! minimum only.
+    CV_PROP_RW double poseEvidence;
     //! Share of the points whose noise is wider: objectNoise and bearingNoise are the covariances of the others, and
     //! 6.25 times these the scale matrices of a Student-t of 2 degrees of freedom for that share. 0: Gaussian noise.
     CV_PROP_RW double tailShare;
