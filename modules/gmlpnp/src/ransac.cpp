@@ -6,6 +6,7 @@
 
 #include "p3p.hpp"
 #include "ransac.hpp"
+#include "ransac_repeats.hpp"
 #include "ransac_sampler.hpp"
 #include "ransac_score.hpp"
 
@@ -90,6 +91,28 @@ bool thin(const Triple& p)
     return !(a.cross(b).norm() > THIN * longest2);
 }
 
+/** Counts inliers that agree each for itself: one of an object point and one of a ray. Of wrong matches of one point to
+neighbouring pixels, or of many points to one pixel, all fit where one does. */
+class Independent
+{
+public:
+    Independent(const Correspondences& data, int most) : points_(data, most), rays_(data, most) {}
+
+    void add(int i)
+    {
+        if (points_.has(i) || rays_.has(i))
+            return;
+        points_.add(i);
+        rays_.add(i);
+    }
+
+    int count() const { return points_.count(); }
+
+private:
+    DistinctPoints points_;
+    DistinctRays rays_;
+};
+
 /** A search: what is scored against what, and the best so far. */
 class Search
 {
@@ -140,7 +163,7 @@ public:
         // Ordered samples all came from the pool, which may have more inliers.
         if (pool == points_.size())
             return false;
-        const int inPool = inliersAmongFirst(pool);
+        const int inPool = independentAmongFirst(pool);
         return drawn >= neededIterations(inPool, pool, options_.confidence) &&
                significant(inPool, pool, options_.chance, distinct());
     }
@@ -148,8 +171,7 @@ public:
     /** All points, until the inliers stay. */
     std::optional<Pose> result()
     {
-        const bool all = best_.inliers == points_.size() && best_.inliers >= MIN_INLIERS;
-        if (!all && !significant(best_.inliers, points_.size(), options_.chance, distinct()))
+        if (!meansSomething())
             return std::nullopt;
         for (int round = 0; round < FINAL_ROUNDS; ++round) {
             Pose pose = bestPose_;
@@ -189,12 +211,33 @@ private:
     // Poses tried, but those of samples that came again.
     double distinct() const { return tried_ * std::min(1., samplesOf(points_.size()) / std::max(drawn_, 1.)); }
 
-    int inliersAmongFirst(int count)
+    // Whether the best has as many independent inliers as chance does not give, or all of the points.
+    bool meansSomething() const
+    {
+        const int n = points_.size();
+        int enough = MIN_INLIERS;
+        while (best_.inliers < n && enough <= best_.inliers && !significant(enough, n, options_.chance, distinct()))
+            ++enough;
+        if (enough > best_.inliers)
+            return false;
+        Independent independent(data_, enough);
+        const std::vector<bool> inliers = points_.inliers(bestPose_);
+        for (int i = 0; i < n && independent.count() < enough; ++i)
+            if (inliers[i])
+                independent.add(i);
+        return independent.count() == enough;
+    }
+
+    int independentAmongFirst(int count)
     {
         if (prefix_.empty()) {
+            Independent independent(data_, best_.inliers);
             prefix_.push_back(0);
-            for (const bool inlier : points_.inliers(bestPose_))
-                prefix_.push_back(prefix_.back() + inlier);
+            for (const bool inlier : points_.inliers(bestPose_)) {
+                if (inlier)
+                    independent.add(static_cast<int>(prefix_.size()) - 1);
+                prefix_.push_back(independent.count());
+            }
         }
         return prefix_[count];
     }
@@ -206,7 +249,7 @@ private:
     Pose bestPose_;
     double bestRaw_ = std::numeric_limits<double>::infinity();  // of the poses of samples, as they came
     double drawn_ = 0, tried_ = 0;                              // samples, poses
-    std::vector<int> prefix_;                                   // inliers of the best among the first so many points
+    std::vector<int> prefix_;  // independent inliers of the best among the first so many points
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "arrays.hpp"
 #include "boundary.hpp"
 #include "ransac_measure.hpp"
+#include "ransac_repeats.hpp"
 #include "solve_ransac.hpp"
 #include "solvepnp.hpp"
 
@@ -81,6 +82,21 @@ Status solveInliers(const Observations& all, const Measure& measure, Options opt
     return robust.inliers.size() < 4 ? STATUS_NO_CONSENSUS : status;
 }
 
+// The search, among matches of which none repeats another; `data` are all of them.
+std::optional<Consensus> searched(const Observations& all, const Correspondences& data, const Measure& measure,
+                                  const RansacOptions& options)
+{
+    const std::vector<int> rows = withoutRepeats(data, measure.metrics);
+    if (rows.empty())
+        return findConsensus(data, measure.metrics, options);
+    if (rows.size() < 4)
+        return std::nullopt;
+    std::vector<Metric> metrics;
+    for (const int row : rows)
+        metrics.push_back(measure.metrics[row]);
+    return findConsensus(Correspondences(chosenRows(all.points, rows), chosenRows(all.rays, rows)), metrics, options);
+}
+
 Status runRansac(const Input& input, const Measure& measure, const Options& options, const RansacParams& ransac,
                  Robust& robust)
 {
@@ -94,9 +110,9 @@ Status runRansac(const Input& input, const Measure& measure, const Options& opti
     if (data.degenerate())
         return STATUS_DEGENERATE;
     const std::optional<Consensus> consensus =
-        findConsensus(data, measure.metrics,
-                      {ransac.confidence, ransac.maxIterations, static_cast<uint64>(ransac.seed), ransac.ordered,
-                       measure.chance, options.guess});
+        searched(input.observations, data, measure,
+                 {ransac.confidence, ransac.maxIterations, static_cast<uint64>(ransac.seed), ransac.ordered,
+                  measure.chance, options.guess});
     if (!consensus)
         return STATUS_NO_CONSENSUS;
     return solveInliers(input.observations, measure, options, consensus->pose, robust);

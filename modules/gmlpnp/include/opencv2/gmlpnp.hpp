@@ -243,6 +243,11 @@ from the inliers, which are counted anew for its pose. Points in the plane are n
 The residual of a point is its reprojection error, for any lens; in a panorama's seam and where the lens cannot project
 the point, the angle to its ray times the scale of the lens at its pixel.
 
+Correspondences may repeat. They are inliers together, right or wrong, so the search takes those of one object point
+with nearly the same pixel (a quarter of the threshold) for one, and a consensus counts each object point and each pixel
+once. Object points that differ at all are different ones. The solve takes the inliers as they come, repeats for
+independent: leave them out where the uncertainty matters.
+
 @param objectPoints N >= 4 points, object frame, as in solve().
 @param imagePoints N pixels; those without a ray are outliers.
 @param camera the lens.
@@ -253,7 +258,7 @@ Untouched on failure.
 @param ransac options of the search.
 @param params options of the solve. A guess is tried first and need not be good; known noise is that of the inliers.
 @return true with a finite pose; false and the reason in Result::status: #STATUS_NO_CONSENSUS where no pose has four
-inliers, or no more than wrong correspondences have by chance.
+inliers, repeats not counted, or no more than wrong correspondences have by chance.
 @throws cv::Exception StsAssert or StsBadArg for misuse, naming the argument. */
 CV_EXPORTS_W bool solveRansac(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
                               CV_OUT Result& result, OutputArray inliers, const RansacParams& ransac = RansacParams(),
