@@ -151,16 +151,17 @@ public:
             tryPose(poses[k]);
     }
 
-    bool finished(int drawn, int pool)
+    bool finished(int drawn, const Sampler& sampler)
     {
         constexpr double EXHAUSTED = 10;  // times as many samples as there are: e^-10 of them have not come
         if (drawn >= EXHAUSTED * samplesOf(points_.size()))
             return true;
         if (drawn < MIN_ITERATIONS || best_.inliers < MIN_INLIERS)
             return false;
-        if (drawn >= neededIterations(best_.inliers, points_.size(), options_.confidence))
+        if (sampler.ofAll() >= neededIterations(best_.inliers, points_.size(), options_.confidence))
             return true;
         // Ordered samples all came from the pool, which may have more inliers.
+        const int pool = sampler.pool();
         if (pool == points_.size())
             return false;
         const int inPool = independentAmongFirst(pool);
@@ -259,11 +260,11 @@ std::optional<Consensus> findConsensus(const Correspondences& data, const std::v
 {
     RNG rng(options.seed);
     Search search(data, metrics, options, rng);
-    Sampler sampler(data.size(), rng.next(), options.ordered);
+    Sampler sampler(data.size(), rng.next(), options.ordered, options.maxIterations);
     if (options.guess)
         search.tryPose(data.fromObject(*options.guess));
     int drawn = 0;
-    while (drawn < options.maxIterations && !search.finished(drawn, sampler.pool())) {
+    while (drawn < options.maxIterations && !search.finished(drawn, sampler)) {
         search.trySample(sampler.next());
         ++drawn;
     }

@@ -19,7 +19,14 @@ The same seed gives the same samples on every platform. */
 class Sampler
 {
 public:
-    Sampler(int n, uint64 seed, bool ordered) : n_(n), rng_(seed), pool_(ordered ? SAMPLE_SIZE : n)
+    /** @param most samples that will be drawn: by half of them the pool holds every point, but for what is rounded up.
+    Where the order means nothing the end of the list would not be looked at otherwise. */
+    Sampler(int n, uint64 seed, bool ordered, int most)
+        : n_(n),
+          rng_(seed),
+          pool_(ordered ? SAMPLE_SIZE : n),
+          growing_(std::min(most * GROWING, ALL_SAMPLES)),
+          samplesOfPool_(growing_)
     {
         for (int i = 0; i < SAMPLE_SIZE; ++i)
             samplesOfPool_ *= double(SAMPLE_SIZE - i) / (n - i);
@@ -28,13 +35,8 @@ public:
     Sample next()
     {
         ++drawn_;
-        while (pool_ < n_ && drawn_ > endOfPool_) {
-            const double grown = samplesOfPool_ * (pool_ + 1) / (pool_ + 1 - SAMPLE_SIZE);
-            endOfPool_ += std::ceil(grown - samplesOfPool_);
-            samplesOfPool_ = grown;
-            ++pool_;
-            newest_ = true;
-        }
+        while (pool_ < n_ && drawn_ > endOfPool_)
+            grow();
         // While a pool is new, its newest point is in each sample.
         Sample sample;
         const bool withNewest = newest_ && pool_ < n_;
@@ -49,14 +51,32 @@ public:
     /** The points that samples have come from: the first so many. */
     int pool() const { return pool_; }
 
+    /** Samples of all points that those drawn are as good as: ordered ones are the same, in another order, once the
+    pool holds every point. */
+    double ofAll() const { return pool_ < n_ ? 0 : drawn_ - roundedUp_; }
+
 private:
-    static constexpr double ALL_SAMPLES = 200000;  // after which the pool holds every point
+    static constexpr double ALL_SAMPLES = 200000;  // after which the paper's pool holds every point
+    static constexpr double GROWING = 0.5;         // share of the samples after which ours does, if these are fewer
+
+    // The paper gives each pool a sample at least. Where there are too many points for that the later pools share them.
+    void grow()
+    {
+        const double grown = samplesOfPool_ * (pool_ + 1) / (pool_ + 1 - SAMPLE_SIZE), more = grown - samplesOfPool_;
+        const double whole = 2 * pool_ < growing_ ? std::ceil(more) : more;
+        endOfPool_ += whole;
+        roundedUp_ += whole - more;
+        samplesOfPool_ = grown;
+        ++pool_;
+        newest_ = true;
+    }
 
     int n_;
     RNG rng_;
     int pool_;
     bool newest_ = false;
-    double drawn_ = 0, endOfPool_ = 1, samplesOfPool_ = ALL_SAMPLES;
+    double growing_;  // samples until the pool holds every point, but for those rounded up
+    double drawn_ = 0, endOfPool_ = 1, samplesOfPool_, roundedUp_ = 0;
 };
 
 }  // namespace detail

@@ -19,7 +19,7 @@ using namespace cv::gmlpnp::detail;
 TEST(Gmlpnp_Ransac, samplesAreDistinctAndEquallyLikely)
 {
     constexpr int N = 7, DRAWS = 70000;
-    Sampler sampler(N, 1, false);
+    Sampler sampler(N, 1, false, DRAWS);
     int count[N] = {};
     for (int k = 0; k < DRAWS; ++k) {
         const Sample s = sampler.next();
@@ -37,7 +37,7 @@ TEST(Gmlpnp_Ransac, samplesAreDistinctAndEquallyLikely)
 TEST(Gmlpnp_Ransac, samplesDependOnTheSeedAlone)
 {
     // The numbers are part of the promise: the same on every platform.
-    Sampler sampler(1000, 42, false), again(1000, 42, false), other(1000, 43, false);
+    Sampler sampler(1000, 42, false, 10), again(1000, 42, false, 10), other(1000, 43, false, 10);
     const Sample first = sampler.next();
     EXPECT_EQ((Sample{140, 48, 29}), first);
     EXPECT_EQ(first, again.next());
@@ -47,7 +47,7 @@ TEST(Gmlpnp_Ransac, samplesDependOnTheSeedAlone)
 TEST(Gmlpnp_Ransac, orderedSamplesStartWithTheBest)
 {
     constexpr int N = 100;
-    Sampler sampler(N, 1, true);
+    Sampler sampler(N, 1, true, 10000);
     Sample s = sampler.next();
     std::sort(s.begin(), s.end());
     EXPECT_EQ((Sample{0, 1, 2}), s);
@@ -59,6 +59,18 @@ TEST(Gmlpnp_Ransac, orderedSamplesStartWithTheBest)
         const int last = *std::max_element(s.begin(), s.end());
         ASSERT_TRUE(pool == N || last == pool - 1) << "the newest of a pool of " << pool << " is in each sample";
     }
+}
+
+TEST(Gmlpnp_Ransac, orderedSamplesComeToAllPoints)
+{
+    for (const int n : {4, 20, 300, 20000})
+        for (const int most : {40, 1000, 10000, 1000000}) {
+            Sampler sampler(n, 1, true, most);
+            for (int k = 0; k < most; ++k)
+                sampler.next();
+            EXPECT_EQ(n, sampler.pool()) << most << " samples";
+            EXPECT_GE(sampler.ofAll(), 0.7 * most) << n << " points, " << most << " samples";
+        }
 }
 
 // --- Repeats ---

@@ -410,6 +410,26 @@ TEST(Gmlpnp_SolveRansac, threePlacesAreNoConsensus)
     EXPECT_EQ(gmlpnp::STATUS_NO_CONSENSUS, result.status);
 }
 
+TEST(Gmlpnp_SolveRansac, wrongOrderIsNotFatal)
+{
+    cv::RNG rng = testRng();
+    const Ptr<CameraModel> lens = paperLens();
+    RansacParams ransac;
+    ransac.ordered = true;
+    for (const int n : {50, 300, 15000})
+        for (int trial = 0; trial < (n > 1000 ? 2 : 20); ++trial) {
+            const Observed data = observed(rng, *lens, n, n > 1000 ? 0.7 : 0.5, 0.5);
+            Mat points, pixels;
+            cv::flip(data.scene.objectPoints, points, 0);  // the wrong ones come first
+            cv::flip(data.pixels, pixels, 0);
+            Result result;
+            Mat inliers;
+            ASSERT_TRUE(solveRansac(points, pixels, lens, result, inliers, ransac)) << n << " points, trial " << trial;
+            EXPECT_TRUE(poseNear(result, data.scene.truth, 0.05, 0.3)) << n << " points, trial " << trial;
+            EXPECT_GE(inliers.rows, data.good * 99 / 100);
+        }
+}
+
 TEST(Gmlpnp_SolveRansac, statusOfBadData)
 {
     cv::RNG rng = testRng();

@@ -230,8 +230,10 @@ struct CV_EXPORTS_W_SIMPLE RansacParams
     CV_PROP_RW double confidence;  //!< at which the search ends: that a sample of inliers was drawn (default 0.99)
     //! Samples of three points at most (default 10000); few of them are needed where many points are inliers.
     CV_PROP_RW int maxIterations;
-    CV_PROP_RW int seed;      //!< of the sampler (default 0): equal seeds, equal samples, on every platform
-    CV_PROP_RW bool ordered;  //!< correspondences come best first: samples start with them (PROSAC; default false)
+    CV_PROP_RW int seed;  //!< of the sampler (default 0): equal seeds, equal samples, on every platform
+    //! Correspondences come best first: samples start with them (PROSAC; default false). Within three quarters of
+    //! maxIterations they come from all, so that an order without a meaning costs time alone.
+    CV_PROP_RW bool ordered;
 };
 
 /** @brief solve() where correspondences may be wrong, up to nine of ten.
