@@ -81,20 +81,37 @@ Measure pixelMeasure(const Ptr<CameraModel>& camera, const Mat_<double>& pixels,
     return measure;
 }
 
-std::vector<int> inliersOf(const Observations& observations, const Measure& measure, const Pose& pose)
+Inliers inliersOf(const Observations& observations, const Measure& measure, const Pose& pose)
 {
-    std::vector<int> inliers;
+    Inliers inliers{{}, 0};
     for (int i = 0; i < observations.points.rows; ++i) {
         const double *p = observations.points[i], *m = observations.rays[i];
         const Vector3d ray = Vector3d(m[0], m[1], m[2]).normalized(), X = pose * Vector3d(p[0], p[1], p[2]);
         const double s = ray.dot(X);
         if (!(s > 0))
             continue;
-        const double e2 = (measure.metrics[i] * X).squaredNorm() / (s * s);
-        if (measure.exact(i, X, e2) <= 1)
-            inliers.push_back(i);
+        const double e2 = measure.exact(i, X, (measure.metrics[i] * X).squaredNorm() / (s * s));
+        if (!(e2 <= 1))
+            continue;
+        inliers.rows.push_back(i);
+        inliers.sumOfSquares += e2;
     }
     return inliers;
+}
+
+double varianceLeft(double meanSquare)
+{
+    constexpr double LEAST = 0.2;                    // at a threshold of 0.9 sigma
+    constexpr double NARROW = 0.1, X_LARGEST = 100;  // of the mean square, where less than 1e-3 is cut off; of x
+    constexpr int HALVINGS = 50;
+    if (meanSquare < NARROW)
+        return 1;
+    double low = 0, high = X_LARGEST;
+    for (int k = 0; k < HALVINGS; ++k) {
+        const double x = (low + high) / 2;
+        (1 / x - 1 / std::expm1(x) > meanSquare ? low : high) = x;
+    }
+    return std::max(1 - high / std::expm1(high), LEAST);
 }
 
 }  // namespace detail

@@ -30,8 +30,21 @@ Measure angularMeasure(const Mat_<double>& rays, double threshold);
 Measure pixelMeasure(const Ptr<CameraModel>& camera, const Mat_<double>& pixels, const Mat_<double>& rayByPixel,
                      double threshold);
 
-/** Rows within the threshold, ascending. */
-std::vector<int> inliersOf(const Observations& observations, const Measure& measure, const Pose& pose);
+struct Inliers
+{
+    std::vector<int> rows;  //!< within the threshold, ascending
+    double sumOfSquares;    //!< of their residuals, thresholds^2
+};
+
+Inliers inliersOf(const Observations& observations, const Measure& measure, const Pose& pose);
+
+/** What a threshold leaves of the variance of Gaussian noise in the picture (residuals of two dimensions):
+
+    E(|e|^2, |e| < 1) / (2 sigma^2) = 1 - x / (e^x - 1),   x = 1 / (2 sigma^2),   sigma in thresholds,
+
+of the mean square  1/x - 1/(e^x - 1)  of the residuals below it. It tells sigma where the threshold is above about 1.5
+of them; below, the residuals are as good as uniform, of a mean square of 1/2, and a bound is returned. */
+CV_EXPORTS double varianceLeft(double meanSquare);
 
 }  // namespace detail
 }  // namespace gmlpnp

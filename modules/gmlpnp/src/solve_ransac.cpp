@@ -50,9 +50,22 @@ size_t countDifferent(const std::vector<int>& a, const std::vector<int>& b)
 struct Robust
 {
     Solution solution;
-    std::vector<int> used;     //!< rows of the observations that it was solved from
-    std::vector<int> inliers;  //!< rows within the threshold at its pose
+    std::vector<int> used;  //!< rows of the observations that it was solved from
+    Inliers inliers;        //!< at its pose
 };
+
+// A threshold that cuts into the noise leaves residuals that are smaller than the noise by varianceLeft(); and as the
+// points that a pose leaves behind no longer pull at it, the cost is as much flatter than that of as many points.
+void undoTheCut(const Options& options, Robust& robust)
+{
+    constexpr double TAKEN = 3;  // points' worth of residuals that the pose takes: 6 of 2 n
+    if (!robust.solution.covariance)
+        return;
+    const double count = static_cast<double>(robust.inliers.rows.size());
+    const double left = varianceLeft(robust.inliers.sumOfSquares / std::max(count - TAKEN, 1.));
+    const bool known = options.Sigma && options.Gamma;
+    *robust.solution.covariance /= known ? left : left * left;
+}
 
 // From the pose of the consensus: solve on its inliers, take those of the solution, and again until they stay. A share
 // of points that come and go at the threshold moves the pose by far less than its uncertainty.
@@ -62,7 +75,7 @@ Status solveInliers(const Observations& all, const Measure& measure, Options opt
     constexpr int ROUNDS = 10;
     constexpr size_t COME_AND_GO = 100;  // one of so many
     Status status = STATUS_NO_CONSENSUS;
-    std::vector<int> inliers = inliersOf(all, measure, consensus);
+    std::vector<int> inliers = inliersOf(all, measure, consensus).rows;
     options.guess = consensus;
     for (int round = 0; round < ROUNDS; ++round) {
         if (inliers.size() < 4)
@@ -75,11 +88,12 @@ Status solveInliers(const Observations& all, const Measure& measure, Options opt
         robust.used = inliers;
         options.guess = robust.solution.pose;
         robust.inliers = inliersOf(all, measure, robust.solution.pose);
-        if (countDifferent(inliers, robust.inliers) * COME_AND_GO <= inliers.size())
+        if (countDifferent(inliers, robust.inliers.rows) * COME_AND_GO <= inliers.size())
             break;
-        inliers = robust.inliers;
+        inliers = robust.inliers.rows;
     }
-    return robust.inliers.size() < 4 ? STATUS_NO_CONSENSUS : status;
+    undoTheCut(options, robust);
+    return robust.inliers.rows.size() < 4 ? STATUS_NO_CONSENSUS : status;
 }
 
 // The search, among matches of which none repeats another; `data` are all of them.
@@ -129,7 +143,7 @@ std::vector<int> callersRows(const Input& input, const std::vector<int>& rows)
 void addInliers(const Input& input, const Robust& robust, OutputArray out, Outputs& outputs)
 {
     if (out.needed())
-        outputs.add(Mat(callersRows(input, robust.inliers), true), out, "inliers");
+        outputs.add(Mat(callersRows(input, robust.inliers.rows), true), out, "inliers");
 }
 
 bool solveToResult(Input input, const Measure& measure, const Options& options, const RansacParams& ransac,

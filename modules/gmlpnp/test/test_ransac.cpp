@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 
+#include "../src/ransac_measure.hpp"
 #include "../src/ransac_repeats.hpp"
 #include "../src/ransac_sampler.hpp"
 #include "../src/ransac_score.hpp"
@@ -173,6 +174,25 @@ TEST(Gmlpnp_Ransac, metricOfAnAngleIsExact)
         const Metric B = angularMetric(m, angle);
         EXPECT_NEAR(1, (B * X).norm() / s, 1e-9);
     }
+}
+
+TEST(Gmlpnp_Ransac, varianceThatAThresholdLeaves)
+{
+    cv::RNG rng = testRng();
+    for (const double sigma : {0.05, 0.2, 0.3, 0.5, 0.6}) {  // thresholds
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < 400000; ++i) {
+            const double u = rng.gaussian(sigma), v = rng.gaussian(sigma), e2 = u * u + v * v;
+            sum += e2 < 1 ? e2 : 0;
+            count += e2 < 1;
+        }
+        EXPECT_NEAR(sum / count / (2 * sigma * sigma), varianceLeft(sum / count), 0.01) << sigma;
+    }
+    EXPECT_EQ(1, varianceLeft(0));
+    // Uniform residuals, or more of them at the rim, bound the noise from below alone.
+    EXPECT_EQ(varianceLeft(0.5), varianceLeft(1));
+    EXPECT_EQ(varianceLeft(0.5), varianceLeft(10));
 }
 
 // A scene with wrong correspondences, as the search sees it.

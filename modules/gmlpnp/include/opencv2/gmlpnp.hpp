@@ -225,7 +225,9 @@ struct CV_EXPORTS_W_SIMPLE RansacParams
 {
     CV_WRAP RansacParams();
 
-    //! Largest residual of an inlier: px, of solveRaysRansac() rad (below pi/2). 0 (default): 8 px, 0.01 rad.
+    //! Largest residual of an inlier: px, of solveRaysRansac() rad (below pi/2). 0 (default): 8 px, 0.01 rad. At least
+    //! three standard deviations of the noise are best. What a tighter one cuts off is allowed for in the covariance of
+    //! the pose; below one and a half it cannot be seen any more, and the covariance is too small (doc/ransac.md).
     CV_PROP_RW double threshold;
     CV_PROP_RW double confidence;  //!< at which the search ends: that a sample of inliers was drawn (default 0.99)
     //! Samples of three points at most (default 10000); few of them are needed where many points are inliers.
