@@ -80,7 +80,7 @@ Intrinsics intrinsicsFrom(InputArray cameraMatrix)
     return {K(0, 0), K(1, 1), K(0, 1), K(0, 2), K(1, 2)};
 }
 
-std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<int>& counts, size_t size)
+std::vector<double> coefficientsFrom(InputArray coefficients, std::initializer_list<int> counts, size_t size)
 {
     std::vector<double> D(size, 0.0);
     if (coefficients.empty())

@@ -70,7 +70,7 @@ Intrinsics intrinsicsFrom(InputArray cameraMatrix);
 /** Distortion coefficients "D": a row or column of any numeric depth, none, or one of `counts` of them; returned with
 zeros behind the last. StsAssert for another shape or count, StsBadArg for a value that is not finite (more than
 1e30). */
-std::vector<double> coefficientsFrom(InputArray coefficients, const std::vector<int>& counts, size_t size);
+std::vector<double> coefficientsFrom(InputArray coefficients, std::initializer_list<int> counts, size_t size);
 
 /** StsBadArg, naming the parameter, unless low <= value <= high (no NaN). */
 void requireRange(double value, double low, double high, const char* name);

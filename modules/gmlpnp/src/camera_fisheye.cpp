@@ -23,7 +23,7 @@ namespace gmlpnp {
 namespace detail {
 namespace {
 
-const std::vector<int> kCounts = {4};
+constexpr std::initializer_list<int> kCounts = {4};
 const double kTolerance = 1e-15;  // relative, of the last step in theta: the last digit
 
 class Fisheye : public CameraModel

@@ -13,10 +13,10 @@ namespace cv {
 namespace gmlpnp {
 namespace {
 
-using Names = std::vector<const char*>;
+using Names = std::initializer_list<const char*>;
 
-const Names kMatrixNames = {"K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "camera_Matrix", "CameraMatrix"};
-const Names kDistortionNames = {
+constexpr Names kMatrixNames = {"K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "camera_Matrix", "CameraMatrix"};
+constexpr Names kDistortionNames = {
     "D", "distortion_coefficients", "distortionCoefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs"};
 const int kLargestSide = 64;                  // rows or columns of a matrix that belongs to a camera
 const size_t kLargestFile = size_t(1) << 26;  // bytes
@@ -89,7 +89,7 @@ Mat matrixOf(const FileNode& node, const char* name, int listRows)
     return n == 0 ? Mat() : Mat(values, true).reshape(1, rows);
 }
 
-Mat firstOf(const FileNode& map, const Names& names, int listRows)
+Mat firstOf(const FileNode& map, Names names, int listRows)
 {
     for (const char* name : names)
         if (!map[name].empty())

@@ -24,7 +24,7 @@ namespace gmlpnp {
 namespace detail {
 namespace {
 
-const std::vector<int> kCounts = {4};
+constexpr std::initializer_list<int> kCounts = {4};
 const size_t kDistortionSize = 12;  // what Distortion takes; the rest stays zero
 const double kLargestXi = 1e6;      // far beyond any lens: an orthographic camera
 

@@ -23,7 +23,7 @@ namespace gmlpnp {
 namespace detail {
 namespace {
 
-const std::vector<int> kCounts = {4, 5, 8, 12, 14};
+constexpr std::initializer_list<int> kCounts = {4, 5, 8, 12, 14};
 
 // OpenCV's signs: Rx = [1 0 0; 0 c s; 0 -s c], Ry = [c 0 -s; 0 1 0; s 0 c].
 Matx33d tiltMatrix(double tauX, double tauY)

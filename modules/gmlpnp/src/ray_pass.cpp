@@ -72,15 +72,16 @@ bool available(const RayKernels& kernels)
 
 const std::vector<const RayKernels*>& availableKernels()
 {
-    static const std::vector<const RayKernels*> all = [] {
-        std::vector<const RayKernels*> out;
+    // Never destroyed: threads may still solve while the program ends.
+    static const auto* const all = [] {
+        auto* const out = new std::vector<const RayKernels*>;
         for (const RayKernels* kernels :
              {&RAY_KERNELS_AVX512, &RAY_KERNELS_AVX2, &RAY_KERNELS_VECTOR, &RAY_KERNELS_SCALAR})
             if (available(*kernels))
-                out.push_back(kernels);
+                out->push_back(kernels);
         return out;
     }();
-    return all;
+    return *all;
 }
 
 const RayKernels& rayKernels(int points)

@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -331,6 +332,26 @@ TEST(Gmlpnp_Threads, everyFunctionAtOnce)
             EXPECT_EQ(0, ofThread.others[at]) << functions[at].name;
         }
     }
+}
+
+// What a call uses must outlive main(): nothing of it is destroyed while the program ends. Sanitizers see it best.
+TEST(Gmlpnp_Threads, threadsMaySolveWhileTheProgramEnds)
+{
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    cv::RNG rng = testRng();
+    const Scene scene = paperScene(rng, 20, 0.1, 1);
+    const auto solveOn = [&scene] {
+        const auto* const data = new cv::gmlpnp::detail::Correspondences(scene.objectPoints, scene.rays);
+        const cv::gmlpnp::detail::Noise noise = cv::gmlpnp::detail::isotropic(1e-3, 1e-6);
+        for (;;)
+            cv::gmlpnp::detail::rayPass(*data, data->fromObject(scene.truth), noise);
+    };
+    const auto endMeanwhile = [&] {
+        std::thread(solveOn).detach();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        std::exit(0);
+    };
+    EXPECT_EXIT(endMeanwhile(), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
