@@ -68,10 +68,10 @@ TEST(Reliability, NoSuccessWithoutItsCovariances)
             }
 }
 
-// Found by the sweep: anisotropic noise makes another minimum of isotropic noise the best by up to 1.8 times.
+// Found by the sweep: anisotropic noise makes another minimum of isotropic noise the best by up to 2.2 times.
 TEST(Reliability, TheBestMinimumMayCostMoreWithIsotropicNoise)
 {
-    constexpr int FOUND[][2] = {{1, 4072}, {2, 8872}, {2, 9770}, {2, 18764}};  // seed, index
+    constexpr int FOUND[][2] = {{1, 4072}, {2, 8872}, {2, 9770}, {2, 18764}, {2, 92584}, {10, 99854}};  // seed, index
     for (const auto& found : FOUND) {
         const Problem problem = randomProblem(found[0], found[1]);
         const Verdict verdict = judge(allSolvers()[SEARCHED_SOLVER], problem);

@@ -33,6 +33,10 @@ double rivalRatio(int n)
     return n > FEW ? std::exp(EVIDENCE / (n - 3)) : std::numeric_limits<double>::infinity();
 }
 
+// Minima up to this ratio to the best isotropic cost are rated: of noise that is far from isotropic the true pose has
+// cost up to 2.2 times as much.
+constexpr double RATED_COST_RATIO = 3;
+
 // The cost of a minimum becomes its negative log-likelihood [nat] at a noise that is estimated with it, as far as the
 // freedom of the residuals counts.
 void rate(const Correspondences& data, const Options& options, PoseCandidate& minimum)
@@ -50,10 +54,12 @@ std::vector<PoseCandidate> startingPoses(const Correspondences& data, const Opti
 {
     if (options.guess)
         return {{isotropicPose(data, data.fromObject(*options.guess)), 0}};
-    const double all = std::numeric_limits<double>::infinity(), rivals = options.extras ? rivalRatio(data.size()) : 1;
+    const double rivals = options.extras ? rivalRatio(data.size()) : 1;
+    const double looked = options.everyMinimum             ? std::numeric_limits<double>::infinity()
+                          : chosenAsMinimum(data, options) ? RATED_COST_RATIO
+                                                           : INITIAL_COST_RATIO;
     std::vector<PoseCandidate> minima =
-        initialPoses(data, options.everyMinimum ? all : std::max(INITIAL_COST_RATIO, rivals),
-                     std::max(CERTIFIED_COST_RATIO, rivals));
+        initialPoses(data, std::max(looked, rivals), std::max(CERTIFIED_COST_RATIO, rivals));
     if (minima.size() == 1)
         return minima;
     for (PoseCandidate& minimum : minima)
