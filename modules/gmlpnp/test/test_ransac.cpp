@@ -130,7 +130,7 @@ TEST(Gmlpnp_Ransac, manyMatchesOfOnePointTakeNoLongerThanOthers)
     std::vector<Metric> metrics;
     for (int i = 0; i < N; ++i)
         metrics.push_back(angularMetric(data.rayAt(i).normalized(), 1e-6));
-    EXPECT_GE(withoutRepeats(data, metrics).size(), N - 10);
+    EXPECT_GE(static_cast<int>(withoutRepeats(data, metrics).size()), N - 10);
 }
 
 // --- Residuals ---
