@@ -334,6 +334,7 @@ TEST(Gmlpnp_Threads, everyFunctionAtOnce)
     }
 }
 
+#ifdef GMLPNP_STANDALONE  // OpenCV's harness does not let GoogleTest start its process anew
 // What a call uses must outlive main(): nothing of it is destroyed while the program ends. Sanitizers see it best.
 TEST(Gmlpnp_Threads, threadsMaySolveWhileTheProgramEnds)
 {
@@ -353,6 +354,7 @@ TEST(Gmlpnp_Threads, threadsMaySolveWhileTheProgramEnds)
     };
     EXPECT_EXIT(endMeanwhile(), testing::ExitedWithCode(0), "");
 }
+#endif
 
 }  // namespace
 }  // namespace opencv_test
