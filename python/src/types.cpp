@@ -150,8 +150,7 @@ void addResult(py::module_& m)
         .add("poseEvidence", &Result::poseEvidence,
              "By how much this pose is likelier than the best other minimum, nat; inf where there is none or none was "
              "looked for (a guess, RANSAC). Below about 3 the data cannot tell, as with a small flat object far away: "
-             "see "
-             "solveAll. The covariances know of this minimum only.")
+             "see solveAll. The covariances know of this minimum only.")
         .add(
             "tailShare", &Result::tailShare,
             "Share of the points whose noise is wider than objectNoise and bearingNoise say: for them 6.25 times these "

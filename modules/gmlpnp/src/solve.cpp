@@ -70,13 +70,14 @@ std::vector<PoseCandidate> startingPoses(const Correspondences& data, const Opti
     return minima;
 }
 
-// By how much one of the minima is likelier than the best other [nat].
-double lead(const std::vector<PoseCandidate>& minima, size_t which)
+// By how much one of the minima is likelier than the best other [nat]; costOf: its negative log-likelihood.
+template <class Minimum, class Cost>
+double lead(const std::vector<Minimum>& minima, size_t which, const Cost& costOf)
 {
     double least = std::numeric_limits<double>::infinity();
     for (size_t k = 0; k < minima.size(); ++k)
         if (k != which)
-            least = std::min(least, minima[k].cost - minima[which].cost);
+            least = std::min(least, costOf(minima[k]) - costOf(minima[which]));
     return least;
 }
 
@@ -177,15 +178,6 @@ bool samePose(const Pose& a, const Pose& b)
     return (a.R - b.R).norm() < SAME_POSE && (a.t - b.t).norm() < SAME_POSE * b.t.norm();
 }
 
-// With known noise the likelihoods of the poses themselves decide.
-void compareByKnown(std::vector<Estimate>& found)
-{
-    for (size_t k = 0; k < found.size(); ++k) {
-        const double other = found.size() == 1 ? std::numeric_limits<double>::infinity() : found[k == 0].sums.L;
-        found[k].poseEvidence = other - found[k].sums.L;
-    }
-}
-
 // The distinct poses that make sense, best first; one where the best minimum has been chosen.
 std::vector<Estimate> fit(const Correspondences& data, const Options& options, const Parts& parts)
 {
@@ -200,7 +192,7 @@ std::vector<Estimate> fit(const Correspondences& data, const Options& options, c
     std::vector<Estimate> found;
     for (size_t k = 0; k < starts.size() && !(chosen && !found.empty()); ++k) {
         Estimate candidate = estimate(data, starts[k].pose, fitting, parts);
-        candidate.poseEvidence = lead(starts, k);
+        candidate.poseEvidence = lead(starts, k, [](const PoseCandidate& start) { return start.cost; });
         if (options.guess)
             keepGuessIfBetter(data, data.fromObject(*options.guess), candidate);
         const auto known = [&](const Estimate& other) { return samePose(other.pose, candidate.pose); };
@@ -208,8 +200,10 @@ std::vector<Estimate> fit(const Correspondences& data, const Options& options, c
             found.push_back(candidate);
     }
     std::sort(found.begin(), found.end(), [](const Estimate& a, const Estimate& b) { return a.sums.L < b.sums.L; });
+    // With known noise the likelihoods of the poses themselves decide.
     if (!found.empty() && found.front().kind == NoiseKind::FIXED)
-        compareByKnown(found);
+        for (size_t k = 0; k < found.size(); ++k)
+            found[k].poseEvidence = lead(found, k, [](const Estimate& each) { return each.sums.L; });
     return found;
 }
 
