@@ -56,4 +56,10 @@ Matrix6d matrix6(const cv::Mat& m)
     return M;
 }
 
+double mahalanobis2(const Pose& a, const Pose& b, const cv::Mat& poseCovariance)
+{
+    const Vector6d xi = cv::gmlpnp::detail::difference(a, b);
+    return xi.dot(matrix6(poseCovariance).ldlt().solve(xi));
+}
+
 }  // namespace opencv_test

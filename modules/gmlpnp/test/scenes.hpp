@@ -52,6 +52,10 @@ inline cv::gmlpnp::Params paramsOf(int method)
 Matrix3d matrix3(const cv::Mat& m);
 Matrix6d matrix6(const cv::Mat& m);
 
+/** Squared deviation of `a` from `b` in units of a covariance of the pose; chi-squared with 6 degrees of freedom where
+that is true (NEES, of the truth and an estimate). */
+double mahalanobis2(const Pose& a, const Pose& b, const cv::Mat& poseCovariance);
+
 /** A lens as a caller writes it who knows nothing of angular scales: its pixels are rays and nothing else. */
 class PlainLens : public cv::gmlpnp::CameraModel
 {

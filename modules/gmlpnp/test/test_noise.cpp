@@ -289,8 +289,7 @@ double covered(cv::RNG& rng, Made made, int n, double halfField, double noisy, i
     for (int k = 0; k < trials; ++k) {
         const Scene scene = sceneOf(rng, made, n, halfField, cvRound(noisy * n));
         const Result result = solved(scene, Params());
-        const Vector6d xi = difference(scene.truth, poseOf(result.rvec, result.tvec));
-        inside += xi.dot(matrix6(result.poseCovariance).ldlt().solve(xi)) < CHI2_6_95;
+        inside += mahalanobis2(scene.truth, poseOf(result.rvec, result.tvec), result.poseCovariance) < CHI2_6_95;
     }
     return inside / double(trials);
 }

@@ -145,13 +145,6 @@ TEST(Gmlpnp_Numerics, finiteDataRaiseNoFloatingPointExceptions)
         }
 }
 
-// Squared, of two poses in units of a covariance of six parameters: about 6 where it is true.
-double mahalanobis2(const Pose& a, const Pose& b, const cv::Mat& covariance)
-{
-    const Vector6d xi = cv::gmlpnp::detail::difference(a, b);
-    return xi.dot(matrix6(covariance).ldlt().solve(xi));
-}
-
 TEST(Gmlpnp_Numerics, aMillionPoints)
 {
     constexpr int N = 1000000;
@@ -232,8 +225,8 @@ TEST(Gmlpnp_Numerics, theOrderMattersLittleToThePoseOfManyPoints)
                 ASSERT_TRUE(cv::gmlpnp::solvePnP(permuted(scene.objectPoints, order),
                                                  permuted(scene.imagePoints, order), paperCamera(), cv::noArray(),
                                                  rvec[1], tvec[1], false, method));
-                const Vector6d xi = cv::gmlpnp::detail::difference(poseOf(rvec[1], tvec[1]), poseOf(rvec[0], tvec[0]));
-                square += xi.dot(matrix6(result.poseCovariance).ldlt().solve(xi)) / (6 * PROBLEMS);
+                square += mahalanobis2(poseOf(rvec[1], tvec[1]), poseOf(rvec[0], tvec[0]), result.poseCovariance) /
+                          (6 * PROBLEMS);
             }
             std::cout << "method " << method << ", n " << n << ": " << std::sqrt(square) << std::endl;
             EXPECT_LT(std::sqrt(square), n < 200 ? 1e-6 : 1. / 3) << "method " << method << ", n " << n;
@@ -259,8 +252,7 @@ TEST(Gmlpnp_Numerics, ransacInAnotherOrderFindsTheSamePose)
                                                 inliers, {}, paramsOf(method)));
             ASSERT_TRUE(cv::gmlpnp::solveRansac(permuted(scene.objectPoints, order), permuted(scene.imagePoints, order),
                                                 paperCamera(), cv::noArray(), b, inliers, {}, paramsOf(method)));
-            const Vector6d xi = difference(poseOfResult(b), poseOfResult(a));
-            const double distance = std::sqrt(xi.dot(matrix6(a.poseCovariance).ldlt().solve(xi)));
+            const double distance = std::sqrt(mahalanobis2(poseOfResult(b), poseOfResult(a), a.poseCovariance));
             EXPECT_LT(distance, 0.5) << "standard deviations, problem " << k;
         }
 }
