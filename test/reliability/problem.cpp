@@ -94,7 +94,8 @@ View drawView(cv::RNG& rng, Problem& problem)
 {
     View view{synthetic::randomRotation(rng), {}, std::vector<Vector3d>(problem.n)};
     problem.distance = logUniform(rng, 2.5, 1e3);
-    view.centre = Vector3d(rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), 1).normalized() * problem.distance;
+    const double y = rng.uniform(-0.5, 0.5), x = rng.uniform(-0.5, 0.5);
+    view.centre = Vector3d(x, y, 1).normalized() * problem.distance;
     const Matrix3d shape = view.R * axesOf(problem).asDiagonal();
     const bool repeated = problem.shape == Shape::REPEATED && problem.n > 0;
     problem.places = repeated ? rng.uniform(1, problem.n + 1) : problem.n;
@@ -103,7 +104,8 @@ View drawView(cv::RNG& rng, Problem& problem)
                                        : view.X[rng.uniform(0, problem.places)];
     if (problem.shape == Shape::AROUND) {
         problem.distance = 1;
-        view.centre = direction(rng) * rng.uniform(0., 1.);
+        const double away = rng.uniform(0., 1.);
+        view.centre = away * direction(rng);
         for (Vector3d& X : view.X) {
             X = direction(rng);
             X *= logUniform(rng, 0.3, 3);
@@ -206,7 +208,8 @@ void drawGuess(cv::RNG& rng, Problem& problem)
         pose.t = problem.truth * problem.centre + 0.1 * size * direction(rng) - pose.R * problem.centre;
     } else {
         pose.R = synthetic::randomRotation(rng);
-        pose.t = size * logUniform(rng, 1e-6, 1e9) * direction(rng);
+        pose.t = direction(rng);
+        pose.t *= size * logUniform(rng, 1e-6, 1e9);
     }
     const Vector3d r = logSO3(pose.R);
     problem.rvec = {r.x(), r.y(), r.z()};

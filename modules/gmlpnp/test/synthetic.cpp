@@ -71,12 +71,12 @@ Scene exactScene(cv::RNG& rng, const std::vector<Vector3d>& cameraPoints)
 
 std::vector<Vector3d> boxPoints(cv::RNG& rng, int n, bool flat)
 {
-    const Vector3d slope(rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4), 0);
+    const double slopeY = rng.uniform(-0.4, 0.4), slopeX = rng.uniform(-0.4, 0.4);
     std::vector<Vector3d> points(n);
     for (Vector3d& X : points) {
         X.x() = rng.uniform(-2., 2.);
         X.y() = rng.uniform(-2., 2.);
-        X.z() = flat ? 6 + slope.head<2>().dot(X.head<2>()) : rng.uniform(4., 8.);
+        X.z() = flat ? 6 + (slopeX * X.x() + slopeY * X.y()) : rng.uniform(4., 8.);
     }
     return points;
 }
