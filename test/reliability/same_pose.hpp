@@ -17,7 +17,8 @@ double apart(const Vector3d& centre, const Pose& a, const Pose& b);
 has all its digits. The published covariance collapses, which is why its conditions are narrower. */
 bool roundingIsSmall(const Solver& solver, const Problem& problem);
 
-/** How far it may move that pose: 1e-9, and where the data hardly determine the pose 1e-4 of what they leave open. */
+/** How far it may move that pose: 1e-9, and where the data hardly determine the pose 1e-4 of what they leave open, 1e-3
+from a condition of 1e5 on. */
 double roundingBound(const Problem& problem);
 
 /** The points in another order. */
