@@ -145,24 +145,24 @@ void* malloc(size_t size)
 {
     return fails(size) ? nullptr : counted(__libc_malloc(size));
 }
-void* calloc(size_t count, size_t size)
+void* calloc(size_t nmemb, size_t size)
 {
-    return fails(count * size) ? nullptr : counted(__libc_calloc(count, size));
+    return fails(nmemb * size) ? nullptr : counted(__libc_calloc(nmemb, size));
 }
-void* realloc(void* block, size_t size)
+void* realloc(void* ptr, size_t size)
 {
     if (fails(size))
         return nullptr;
-    forget(block);
-    void* const moved = __libc_realloc(block, size);
+    forget(ptr);
+    void* const moved = __libc_realloc(ptr, size);
     keep(moved);
-    liveBlocks += (block == nullptr && moved != nullptr) - (block != nullptr && size == 0);
+    liveBlocks += (ptr == nullptr && moved != nullptr) - (ptr != nullptr && size == 0);
     return moved;
 }
-int posix_memalign(void** block, size_t alignment, size_t size)
+int posix_memalign(void** memptr, size_t alignment, size_t size)
 {
-    *block = fails(size) ? nullptr : counted(__libc_memalign(alignment, size));
-    return *block ? 0 : ENOMEM;
+    *memptr = fails(size) ? nullptr : counted(__libc_memalign(alignment, size));
+    return *memptr ? 0 : ENOMEM;
 }
 void* aligned_alloc(size_t alignment, size_t size)
 {
@@ -172,11 +172,11 @@ void* memalign(size_t alignment, size_t size)
 {
     return fails(size) ? nullptr : counted(__libc_memalign(alignment, size));
 }
-void free(void* block)
+void free(void* ptr)
 {
-    liveBlocks -= block != nullptr;
-    forget(block);
-    __libc_free(block);
+    liveBlocks -= ptr != nullptr;
+    forget(ptr);
+    __libc_free(ptr);
 }
 }
 
