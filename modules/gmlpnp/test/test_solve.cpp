@@ -417,8 +417,8 @@ TEST(Gmlpnp_Solve, poseEvidenceTellsHowOftenTheOtherMinimumIsRight)
                 const Matrix3d R = randomRotation(rng);
                 std::vector<Vector3d> points;
                 for (int i = 0; i < n; ++i)
-                    points.push_back(R * Vector3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), 0) +
-                                     Vector3d(0, 0, n < 50 ? 30 : 60));
+                    points.emplace_back(R * Vector3d(rng.uniform(-1., 1.), rng.uniform(-1., 1.), 0) +
+                                        Vector3d(0, 0, n < 50 ? 30 : 60));
                 Scene scene = exactScene(rng, points);
                 for (double& coordinate : scene.imagePoints)
                     coordinate += rng.gaussian(0.5);
