@@ -96,32 +96,24 @@ Noise restricted(const Estimate& estimate, int n)
     return noise;
 }
 
-// Means of the poses' deviations from one of them and of their squares, weighed by e^-cost.
-struct PoseMoments
-{
-    Vector6d mean = Vector6d::Zero();
-    Matrix6d square = Matrix6d::Zero();
-};
+constexpr int KINDS = 3;
 
+// Shares of e^-cost; none of what is negligible.
 template <class Cost>
-PoseMoments poseMoments(const Rival* rivals, int count, const Pose& origin, const Cost& cost)
+std::array<double, KINDS> sharesOf(const Rival* rivals, int count, const Cost& cost)
 {
-    PoseMoments out;
     double least = std::numeric_limits<double>::infinity(), total = 0;
-    for (const Rival* rival = rivals; rival != rivals + count; ++rival)
-        least = std::min(least, cost(*rival));
-    for (const Rival* rival = rivals; rival != rivals + count; ++rival) {
-        const double weight = std::exp(least - cost(*rival));
-        if (!(weight > NEGLIGIBLE))
-            continue;
-        const Vector6d xi = difference(rival->estimate.pose, origin);
-        total += weight;
-        out.mean += weight * xi;
-        out.square += weight * xi * xi.transpose();
+    for (int k = 0; k < count; ++k)
+        least = std::min(least, cost(rivals[k]));
+    std::array<double, KINDS> shares{};
+    for (int k = 0; k < count; ++k) {
+        const double weight = std::exp(least - cost(rivals[k]));
+        shares[k] = weight > NEGLIGIBLE ? weight : 0;
+        total += shares[k];
     }
-    out.mean /= total;
-    out.square /= total;
-    return out;
+    for (double& share : shares)
+        share /= total;
+    return shares;
 }
 
 // The posterior mean of the pose over the kinds of noise: where the data cannot tell bearing noise from object noise
@@ -136,10 +128,26 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, L
         if (rival != &best)
             out.evidence = std::min(out.evidence, std::max(0., rival->L() - best.L()));
     const Pose& origin = best.estimate.pose;
-    const Vector6d mean = poseMoments(rivals, count, origin, [](const Rival& r) { return r.posterior(); }).mean;
-    const PoseMoments likely = poseMoments(rivals, count, origin, [](const Rival& r) { return r.L(); });
-    out.spread =
-        likely.square - likely.mean * mean.transpose() - mean * likely.mean.transpose() + mean * mean.transpose();
+    const auto posterior = sharesOf(rivals, count, [](const Rival& r) { return r.posterior(); });
+    const auto likelihood = sharesOf(rivals, count, [](const Rival& r) { return r.L(); });
+    const auto deviation = [&](int k) {
+        return &rivals[k] == &best ? Vector6d(Vector6d::Zero()) : difference(rivals[k].estimate.pose, origin);
+    };
+    Vector6d mean = Vector6d::Zero();
+    for (int k = 0; k < count; ++k)
+        if (posterior[k] > 0)
+            mean += posterior[k] * deviation(k);
+    // Summed as squares: poses may be so far apart that differences of their squares are rounding.
+    const auto spreadAbout = [&](const Vector6d& centre) {
+        Matrix6d spread = Matrix6d::Zero();
+        for (int k = 0; k < count; ++k)
+            if (likelihood[k] > 0) {
+                const Vector6d xi = deviation(k) - centre;
+                spread += likelihood[k] * xi * xi.transpose();
+            }
+        return spread;
+    };
+    out.spread = spreadAbout(mean);
     out.pose = perturbed(origin, mean);
     out.noise = restricted(out, data.size());
     const bool far = !(0.5 * mean.dot(best.estimate.sums.H * mean) < RISE);
@@ -148,7 +156,7 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, L
     // Between two minima the mean is no pose that anything speaks for.
     if (far && !accepted(true, best.estimate.sums, out.sums, data.size())) {
         out.pose = best.estimate.pose;
-        out.spread = likely.square;
+        out.spread = spreadAbout(Vector6d::Zero());
         out.sums = rayPass(data, out.pose, out.noise);
     }
     return out;
@@ -168,7 +176,7 @@ struct Contender
 // Those that isotropic noises leave in the race, the likeliest first.
 struct Race
 {
-    std::array<Contender, 3> contenders;
+    std::array<Contender, KINDS> contenders;
     int count = 0;
     double evidence;  // nat, of the first over the best that was left out
 };
@@ -197,9 +205,9 @@ Race contenders(const IsotropicSplit& split)
     // asks.
     constexpr double BOTH_MARGIN = 1;
 
-    std::array<Contender, 3> all = {Contender{NoiseKind::OBJECT, split.object},
-                                    Contender{NoiseKind::BEARING, split.bearing},
-                                    Contender{NoiseKind::BOTH, split.both}};
+    std::array<Contender, KINDS> all = {Contender{NoiseKind::OBJECT, split.object},
+                                        Contender{NoiseKind::BEARING, split.bearing},
+                                        Contender{NoiseKind::BOTH, split.both}};
     for (Contender& contender : all) {
         contender.penalty = evidenceAsked(contender.kind);
         contender.prior = priorAgainst(contender.kind, split);
@@ -290,7 +298,7 @@ Estimate estimateMarginal(const Correspondences& data, const Pose& start, const 
     const Correspondences& fitted = parts.empty() ? data : parts.front();
     const IsotropicSplit split = splitResiduals(fitted, start);
     const Race race = contenders(split);
-    std::array<Rival, 3> rivals;
+    std::array<Rival, KINDS> rivals;
     Stopping fitting = stopping;
     fitting.last = race.count > 1 ? LastSums::COMPARE : LastSums::NOTHING;
     for (int k = 0; k < race.count; ++k) {

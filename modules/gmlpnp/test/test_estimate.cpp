@@ -122,6 +122,20 @@ TEST(Gmlpnp_Estimate, leavesAnIsotropicPoseThatWrongPointsSpoil)
     EXPECT_GT(spoilt, 5);
 }
 
+// It is a sum of squares. Found by libFuzzer, where nonsense had led the camera 1e60 object sizes away: rounding of the
+// difference of squares that it had been was a variance of -1e103. Here all kinds of noise end where they start.
+TEST(Gmlpnp_Estimate, theSpreadOfFarPosesIsNotNegative)
+{
+    cv::RNG rng = testRng();
+    Stopping stopping = defaultStopping(false);
+    stopping.maxRounds = 0;
+    for (int k = 0; k < 300; ++k) {
+        Problem at = problem(paperScene(rng, 30, 0.02, 0));
+        at.start.t *= std::exp(rng.uniform(0., 100.));
+        EXPECT_GE(estimateMarginal(at.data, at.start, {}, {}, stopping).spread.diagonal().minCoeff(), 0);
+    }
+}
+
 TEST(Gmlpnp_Estimate, choosesTheNoiseThatIsThere)
 {
     cv::RNG rng = testRng();
