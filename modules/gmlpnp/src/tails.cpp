@@ -199,9 +199,10 @@ bool sameTails(const Tails& a, const Tails& b, int n, double tolerance)
 {
     constexpr double SAME = 0.1;  // relative: moves L and the pose less than the tolerance does
     const double step = std::abs(a.share - b.share), larger = std::max(a.share, b.share);
-    const double gain =
-        n * step * step / (2 * larger);  // at most: the information about a share is less than n / share
-    return step <= SAME * larger || gain < tolerance;
+    if (step <= SAME * larger)  // also where there are none
+        return true;
+    // At most: the information about a share is less than n / share.
+    return n * step * step / (2 * larger) < tolerance;
 }
 
 TailInformation tailInformation(const Tails& tails)
