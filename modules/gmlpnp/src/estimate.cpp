@@ -97,15 +97,17 @@ Noise restricted(const Estimate& estimate, int n)
 }
 
 constexpr int KINDS = 3;
+using Shares = std::array<double, KINDS>;
+using Deviations = std::array<Vector6d, KINDS>;
 
 // Shares of e^-cost; none of what is negligible.
 template <class Cost>
-std::array<double, KINDS> sharesOf(const Rival* rivals, int count, const Cost& cost)
+Shares sharesOf(const Rival* rivals, int count, const Cost& cost)
 {
     double least = std::numeric_limits<double>::infinity(), total = 0;
     for (int k = 0; k < count; ++k)
         least = std::min(least, cost(rivals[k]));
-    std::array<double, KINDS> shares{};
+    Shares shares{};
     for (int k = 0; k < count; ++k) {
         const double weight = std::exp(least - cost(rivals[k]));
         shares[k] = weight > NEGLIGIBLE ? weight : 0;
@@ -114,6 +116,35 @@ std::array<double, KINDS> sharesOf(const Rival* rivals, int count, const Cost& c
     for (double& share : shares)
         share /= total;
     return shares;
+}
+
+Deviations deviationsFrom(const Rival& best, const Rival* rivals, int count)
+{
+    Deviations xi;
+    xi.fill(Vector6d::Zero());
+    for (int k = 0; k < count; ++k)
+        if (&rivals[k] != &best)
+            xi[k] = difference(rivals[k].estimate.pose, best.estimate.pose);
+    return xi;
+}
+
+Vector6d meanOf(const Deviations& xi, const Shares& shares)
+{
+    Vector6d mean = Vector6d::Zero();
+    for (int k = 0; k < KINDS; ++k)
+        if (shares[k] > 0)
+            mean += shares[k] * xi[k];
+    return mean;
+}
+
+// Summed as squares: poses may be so far apart that differences of their squares are rounding.
+Matrix6d spreadAbout(const Vector6d& centre, const Deviations& xi, const Shares& shares)
+{
+    Matrix6d spread = Matrix6d::Zero();
+    for (int k = 0; k < KINDS; ++k)
+        if (shares[k] > 0)
+            spread += shares[k] * (xi[k] - centre) * (xi[k] - centre).transpose();
+    return spread;
 }
 
 // The posterior mean of the pose over the kinds of noise: where the data cannot tell bearing noise from object noise
@@ -127,28 +158,11 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, L
     for (const Rival* rival = rivals; rival != rivals + count; ++rival)
         if (rival != &best)
             out.evidence = std::min(out.evidence, std::max(0., rival->L() - best.L()));
-    const Pose& origin = best.estimate.pose;
-    const auto posterior = sharesOf(rivals, count, [](const Rival& r) { return r.posterior(); });
-    const auto likelihood = sharesOf(rivals, count, [](const Rival& r) { return r.L(); });
-    const auto deviation = [&](int k) {
-        return &rivals[k] == &best ? Vector6d(Vector6d::Zero()) : difference(rivals[k].estimate.pose, origin);
-    };
-    Vector6d mean = Vector6d::Zero();
-    for (int k = 0; k < count; ++k)
-        if (posterior[k] > 0)
-            mean += posterior[k] * deviation(k);
-    // Summed as squares: poses may be so far apart that differences of their squares are rounding.
-    const auto spreadAbout = [&](const Vector6d& centre) {
-        Matrix6d spread = Matrix6d::Zero();
-        for (int k = 0; k < count; ++k)
-            if (likelihood[k] > 0) {
-                const Vector6d xi = deviation(k) - centre;
-                spread += likelihood[k] * xi * xi.transpose();
-            }
-        return spread;
-    };
-    out.spread = spreadAbout(mean);
-    out.pose = perturbed(origin, mean);
+    const Deviations xi = deviationsFrom(best, rivals, count);
+    const Vector6d mean = meanOf(xi, sharesOf(rivals, count, [](const Rival& r) { return r.posterior(); }));
+    const Shares likelihood = sharesOf(rivals, count, [](const Rival& r) { return r.L(); });
+    out.spread = spreadAbout(mean, xi, likelihood);
+    out.pose = perturbed(best.estimate.pose, mean);
     out.noise = restricted(out, data.size());
     const bool far = !(0.5 * mean.dot(best.estimate.sums.H * mean) < RISE);
     if (last == LastSums::AT_POSE || far)
@@ -156,7 +170,7 @@ Estimate averaged(const Correspondences& data, const Rival* rivals, int count, L
     // Between two minima the mean is no pose that anything speaks for.
     if (far && !accepted(true, best.estimate.sums, out.sums, data.size())) {
         out.pose = best.estimate.pose;
-        out.spread = spreadAbout(Vector6d::Zero());
+        out.spread = spreadAbout(Vector6d::Zero(), xi, likelihood);
         out.sums = rayPass(data, out.pose, out.noise);
     }
     return out;
