@@ -1,0 +1,15 @@
+# Runs PROGRAM with one thread and with two, and fails where the outputs differ.
+foreach(run 1 2)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env OPENCV_FOR_THREADS_NUM=${run} ${PROGRAM}
+                  OUTPUT_VARIABLE output_${run} RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${PROGRAM} ended with ${status}")
+  endif()
+endforeach()
+if(NOT output_1 MATCHES "all calls\n$")
+  message(FATAL_ERROR "${PROGRAM} printed no total:\n${output_1}")
+endif()
+if(NOT output_1 STREQUAL output_2)
+  message(FATAL_ERROR "Two runs differ:\n${output_1}\n${output_2}")
+endif()
+message("${output_1}")
