@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html
 
 #include "experiments.hpp"
-#include "src/estimate.hpp"
-#include "src/initial_pose.hpp"
+#include "src/estimator/estimate.hpp"
+#include "src/estimator/initial_pose.hpp"
 
 // Where there are too few points for a covariance: the default against the estimator that takes all noise for
 // isotropic.

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html
 
 #include "experiments.hpp"
-#include "src/estimate.hpp"
-#include "src/initial_pose.hpp"
+#include "src/estimator/estimate.hpp"
+#include "src/estimator/initial_pose.hpp"
 
 // What the estimated tails cost on Gaussian data, and whether they reach the best Student-t of fixed degrees of freedom
 // where some of the points have five times the noise, and where the noise is a Student-t.

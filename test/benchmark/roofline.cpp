@@ -10,7 +10,7 @@
 // as is each addition and multiplication. The peak is measured: independent fused multiplications and additions in
 // registers, two operations each.
 
-#include "../../modules/gmlpnp/src/ray_kernels.simd.hpp"
+#include "../../modules/gmlpnp/src/kernels/loops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "../../modules/gmlpnp/src/precomp.hpp"
-#include "../../modules/gmlpnp/src/ray_pass.hpp"
+#include "../../modules/gmlpnp/src/rays/ray_pass.hpp"
 #include "measuring.hpp"
 #include "output_file.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "test_precomp.hpp"
 
-#include "../src/solve.hpp"
+#include "../src/estimator/solve.hpp"
 #include "synthetic.hpp"
 
 // Pose assertions and what else the tests share; the synthetic problems are in synthetic.hpp.

@@ -5,7 +5,7 @@
 #ifndef OPENCV_GMLPNP_TEST_SYNTHETIC_HPP
 #define OPENCV_GMLPNP_TEST_SYNTHETIC_HPP
 
-#include "../src/lie.hpp"
+#include "../src/math/lie.hpp"
 
 /** Synthetic problems and error measures: of the module's tests, and of programs that measure solvers. */
 namespace synthetic {

@@ -5,7 +5,7 @@
 #ifndef GMLPNP_BASELINES_BASELINES_HPP
 #define GMLPNP_BASELINES_BASELINES_HPP
 
-#include "src/spd3.hpp"
+#include "src/math/spd3.hpp"
 
 /** The solvers that GMLPnP is compared with, written from the equations of their papers; one file each, which names the
 paper. X = R p + t throughout; no solver changes its input; without a pose in front of the camera they return none. */

@@ -1,0 +1,303 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "../precomp.hpp"
+
+#include <fstream>
+#include <iterator>
+
+// Cameras from calibration files. Each lens writes itself; here stands what reads them, one line per lens.
+
+namespace cv {
+namespace gmlpnp {
+namespace {
+
+using Names = std::initializer_list<const char*>;
+
+constexpr Names kMatrixNames = {"K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "camera_Matrix", "CameraMatrix"};
+constexpr Names kDistortionNames = {
+    "D", "distortion_coefficients", "distortionCoefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs"};
+const int kLargestSide = 64;                  // rows or columns of a matrix that belongs to a camera
+const size_t kLargestFile = size_t(1) << 26;  // bytes
+
+[[noreturn]] void parseError(const String& message)
+{
+    CV_Error(Error::StsParseError, message);
+}
+
+bool isNumber(const FileNode& node)
+{
+    return node.isInt() || node.isReal();
+}
+
+double numberOf(const FileNode& map, const char* name)
+{
+    const FileNode node = map[name];
+    if (!isNumber(node))
+        parseError(format("camera field '%s' is missing or not a number", name));
+    return static_cast<double>(node);
+}
+
+FileNode mapOf(const FileNode& map, const char* name)
+{
+    const FileNode node = map[name];
+    if (!node.isMap())
+        parseError(format("camera field '%s' is missing or not a mapping", name));
+    return node;
+}
+
+String stringOf(const FileNode& map, const char* name)
+{
+    const FileNode node = map[name];
+    if (node.empty())
+        return String();
+    if (!node.isString())
+        parseError(format("camera field '%s' is not a string", name));
+    return static_cast<String>(node);
+}
+
+int sideOf(const FileNode& matrix, const char* side, const char* name)
+{
+    const FileNode node = matrix[side];
+    const int n = node.isInt() ? static_cast<int>(node) : -1;
+    if (n < 0 || n > kLargestSide)
+        parseError(format("camera field '%s' is a matrix without proper '%s'", name, side));
+    return n;
+}
+
+// A matrix of OpenCV or ROS (rows, cols, data), or a plain list of `listRows` rows.
+Mat matrixOf(const FileNode& node, const char* name, int listRows)
+{
+    if (!node.isMap() && !node.isSeq())
+        parseError(format("camera field '%s' is neither a matrix nor a list", name));
+    const FileNode data = node.isMap() ? node["data"] : node;
+    std::vector<double> values;
+    if (isNumber(data))
+        values.push_back(static_cast<double>(data));
+    for (size_t i = 0; data.isSeq() && i < data.size(); ++i) {
+        const FileNode item = data[static_cast<int>(i)];
+        if (!isNumber(item))
+            parseError(format("camera field '%s' holds something else than numbers", name));
+        values.push_back(static_cast<double>(item));
+    }
+    const int n = static_cast<int>(values.size());
+    const int rows = node.isMap() ? sideOf(node, "rows", name) : listRows;
+    const int cols = node.isMap() ? sideOf(node, "cols", name) : n / listRows;
+    if (rows * cols != n)
+        parseError(format("camera field '%s' holds %d numbers instead of %d x %d", name, n, rows, cols));
+    return n == 0 ? Mat() : Mat(values, true).reshape(1, rows);
+}
+
+Mat firstOf(const FileNode& map, Names names, int listRows)
+{
+    for (const char* name : names)
+        if (!map[name].empty())
+            return matrixOf(map[name], name, listRows);
+    String tried;
+    for (const char* name : names)
+        tried += String(tried.empty() ? "'" : ", '") + name + "'";
+    parseError("camera field missing: one of " + tried);
+}
+
+Mat matrixK(const FileNode& map)
+{
+    return firstOf(map, kMatrixNames, 3);
+}
+
+Mat coefficientsD(const FileNode& map)
+{
+    return firstOf(map, kDistortionNames, 1);
+}
+
+// cv::omnidir::calibrate returns xi as a 1x1 matrix.
+double mirror(const FileNode& map)
+{
+    const FileNode node = map["xi"];
+    if (!node.isMap() && !node.isSeq())
+        return numberOf(map, "xi");
+    const Mat xi = matrixOf(node, "xi", 1);
+    if (xi.total() != 1)
+        parseError("camera field 'xi' is not one number");
+    return xi.at<double>(0);
+}
+
+Ptr<CameraModel> readMei(const FileNode& map)
+{
+    const FileNode m = mapOf(map, "mirror_parameters"), d = mapOf(map, "distortion_parameters");
+    const FileNode p = mapOf(map, "projection_parameters");
+    const Matx33d K(numberOf(p, "gamma1"), 0, numberOf(p, "u0"), 0, numberOf(p, "gamma2"), numberOf(p, "v0"), 0, 0, 1);
+    const Vec4d D(numberOf(d, "k1"), numberOf(d, "k2"), numberOf(d, "p1"), numberOf(d, "p2"));
+    return CameraModel::omnidir(K, D, numberOf(m, "xi"));
+}
+
+Size sizeOf(const FileNode& map)
+{
+    return {saturate_cast<int>(numberOf(map, "width")), saturate_cast<int>(numberOf(map, "height"))};
+}
+
+struct Reader
+{
+    const char* model;
+    Ptr<CameraModel> (*read)(const FileNode& map);
+};
+
+const Reader kReaders[] = {
+    {"pinhole", [](const FileNode& m) { return CameraModel::pinhole(matrixK(m), coefficientsD(m)); }},
+    {"fisheye", [](const FileNode& m) { return CameraModel::fisheye(matrixK(m), coefficientsD(m)); }},
+    {"omnidir", [](const FileNode& m) { return CameraModel::omnidir(matrixK(m), coefficientsD(m), mirror(m)); }},
+    {"eucm",
+     [](const FileNode& m) { return CameraModel::eucm(matrixK(m), numberOf(m, "alpha"), numberOf(m, "beta")); }},
+    {"doubleSphere",
+     [](const FileNode& m) { return CameraModel::doubleSphere(matrixK(m), numberOf(m, "xi"), numberOf(m, "alpha")); }},
+    {"equirectangular", [](const FileNode& m) { return CameraModel::equirectangular(sizeOf(m)); }},
+    {"MEI", readMei},
+};
+
+// The name of the lens: the file's own word, what its fields imply, the caller's word; in this order.
+String modelOf(const FileNode& map, const String& callers)
+{
+    for (const char* name : {"model", "model_type"})
+        if (!stringOf(map, name).empty())
+            return stringOf(map, name);
+    const String ros = stringOf(map, "distortion_model");
+    if (ros == "plumb_bob" || ros == "rational_polynomial")
+        return "pinhole";
+    if (ros == "equidistant" || ros == "fisheye")
+        return "fisheye";
+    if (!ros.empty())
+        parseError("camera field 'distortion_model' is unknown: " + ros);
+    if (!map["fisheye_model"].empty() && numberOf(map, "fisheye_model") != 0)
+        return "fisheye";
+    if (!map["xi"].empty())
+        return "omnidir";
+    return callers.empty() ? "pinhole" : callers;
+}
+
+// A line of a text file, its blanks in front counted.
+struct Line
+{
+    size_t begin, content, end;
+
+    bool isEmpty(const String& text) const { return content == end || text[content] == '\r' || text[content] == '#'; }
+    bool startsWith(const String& text, const char* word) const { return text.compare(content, 3, word) == 0; }
+    size_t indentation() const { return content - begin; }
+};
+
+Line lineAt(const String& text, size_t begin)
+{
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    return {begin, std::min(text.find_first_not_of(' ', begin), end), end};
+}
+
+// From this line on the first that is not empty; the last line where there is none.
+Line notEmpty(const String& text, Line line)
+{
+    while (line.end < text.size() && line.isEmpty(text))
+        line = lineAt(text, line.end + 1);
+    return line;
+}
+
+// Where the first document starts: below comments and directives, behind the mark.
+Line firstContent(const String& text)
+{
+    Line line = notEmpty(text, lineAt(text, 0));
+    while (line.end < text.size() && text[line.content] == '%')
+        line = notEmpty(text, lineAt(text, line.end + 1));
+    if (!line.startsWith(text, "---"))
+        return line;
+    line.content = std::min(text.find_first_not_of(' ', line.content + 3), line.end);
+    return notEmpty(text, line);
+}
+
+// The first document alone, which must be a mapping of lines that stay inside of it: OpenCV 4.6 looks for the next
+// document forever where it meets a dash instead.
+void keepFirstMapping(String& text)
+{
+    const Line first = firstContent(text);
+    if (first.isEmpty(text) || !(std::isalpha(static_cast<uchar>(text[first.content])) || text[first.content] == '_'))
+        parseError("holds no mapping");
+    for (size_t begin = first.end + 1; begin < text.size();) {
+        const Line line = lineAt(text, begin);
+        begin = line.end + 1;
+        if (line.isEmpty(text) || line.indentation() > first.indentation())
+            continue;
+        if (line.startsWith(text, "...") || line.startsWith(text, "---"))
+            text.erase(line.begin);
+        else if (line.indentation() < first.indentation())
+            parseError("has a line that leaves its mapping");
+    }
+}
+
+// YAML as cv::FileStorage wants it: with its first line, without tabs and comments above it.
+String plainYaml(String text)
+{
+    std::replace(text.begin(), text.end(), '\t', ' ');
+    const Line first = notEmpty(text, lineAt(text, 0));
+    if (first.isEmpty(text))
+        parseError("holds nothing");
+    text.erase(0, first.begin);  // the indentation of the first line counts
+    if (text[0] != '%')
+        text.insert(0, text.compare(0, 3, "---") == 0 ? "%YAML:1.0\n" : "%YAML:1.0\n---\n");
+    keepFirstMapping(text);
+    return text;
+}
+
+// Text of a file as cv::FileStorage wants it.
+String textOf(const String& filename)
+{
+    std::ifstream file(filename, std::ios::binary);
+    if (!file)
+        CV_Error(Error::StsObjectNotFound, "cannot be opened");
+    file.seekg(0, std::ios::end);
+    const std::streamoff size = file.tellg();
+    if (size < 0 || static_cast<size_t>(size) > kLargestFile)
+        parseError("is not a calibration file");
+    file.seekg(0);
+    String text(static_cast<size_t>(size) + 1, '\0');
+    text.resize(static_cast<size_t>(file.read(&text[0], size + 1).gcount()));
+    if (text.size() > static_cast<size_t>(size))  // a device: it has no size, and some no end
+        parseError("is not a calibration file");
+    if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+        text.erase(0, 3);
+    const size_t start = text.find_first_not_of(" \t\r\n");
+    if (start == String::npos || text.find('\0') != String::npos)
+        parseError("is empty or not a text file");
+    // OpenCV 4.6 reads from a null pointer where XML ends within a tag.
+    if (text[start] == '<' && text[text.find_last_not_of(" \t\r\n")] != '>')
+        parseError("ends too early");
+    return text[start] == '<' || text[start] == '{' ? text.substr(start) : plainYaml(text);
+}
+
+}  // namespace
+
+Ptr<CameraModel> CameraModel::read(const FileNode& node, const String& model)
+{
+    if (!node.isMap())
+        parseError("a camera must be a mapping");
+    const String name = modelOf(node, model);
+    for (const Reader& reader : kReaders)
+        if (name == reader.model)
+            return reader.read(node);
+    parseError("unknown camera model '" + name + "'");
+}
+
+Ptr<CameraModel> CameraModel::load(const String& filename, const String& model)
+{
+    try {
+        const FileStorage fs(textOf(filename), FileStorage::READ | FileStorage::MEMORY);
+        const FileNode root = fs.root();
+        if (!root.isMap())
+            parseError("holds no mapping");
+        return read(root["camera"].isMap() ? root["camera"] : root, model);
+    } catch (const Exception& e) {
+        // OpenCV's parsers put their message, which has words, into the place of the function.
+        const bool isSwapped = e.func.find(' ') != String::npos;
+        CV_Error(e.code, filename + ": " + (isSwapped ? e.func : e.err));
+    } catch (const std::exception& e) {  // OpenCV's parsers let std::length_error through
+        CV_Error(Error::StsParseError, filename + ": " + e.what());
+    }
+}
+
+}  // namespace gmlpnp
+}  // namespace cv

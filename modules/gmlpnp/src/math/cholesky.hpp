@@ -1,0 +1,73 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_MATH_CHOLESKY_HPP
+#define OPENCV_GMLPNP_MATH_CHOLESKY_HPP
+
+#include "../precomp.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** A = L D L^T of a small matrix of fixed size, without square roots and indifferent to the units of its rows. Eigen's
+own has loops for matrices of any size, which cost three times as much at 6 x 6. */
+template <int N>
+class CholeskyFactor
+{
+public:
+    using Matrix = Eigen::Matrix<double, N, N>;
+    using Vector = Eigen::Matrix<double, N, 1>;
+
+    explicit CholeskyFactor(const Matrix& A)
+    {
+        double LD[N][N];
+        for (int j = 0; j < N; ++j) {
+            for (int i = j; i < N; ++i) {
+                double rest = A(i, j);
+                for (int k = 0; k < j; ++k)
+                    rest -= LD[i][k] * L[j][k];
+                LD[i][j] = rest;
+            }
+            if (!(LD[j][j] > 0))
+                return;
+            inverse[j] = 1 / LD[j][j];
+            for (int i = j + 1; i < N; ++i)
+                L[i][j] = LD[i][j] * inverse[j];
+        }
+        positive = true;
+    }
+
+    /** Whether A is positive definite; only then may anything be solved. */
+    bool positiveDefinite() const { return positive; }
+
+    Vector solve(const Vector& b) const
+    {
+        Vector x;
+        for (int i = 0; i < N; ++i) {
+            double rest = b(i);
+            for (int k = 0; k < i; ++k)
+                rest -= L[i][k] * x(k);
+            x(i) = rest;
+        }
+        for (int i = N - 1; i >= 0; --i) {
+            double rest = x(i) * inverse[i];
+            for (int k = i + 1; k < N; ++k)
+                rest -= L[k][i] * x(k);
+            x(i) = rest;
+        }
+        return x;
+    }
+
+private:
+    double L[N][N];     // below the diagonal; ones on it
+    double inverse[N];  // of D
+    bool positive = false;
+};
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_MATH_CHOLESKY_HPP

@@ -1,0 +1,55 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#ifndef OPENCV_GMLPNP_RANSAC_SEARCH_HPP
+#define OPENCV_GMLPNP_RANSAC_SEARCH_HPP
+
+#include "../rays/correspondences.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+/** How far a point is from its ray, in any unit, to first order: with X = R p + t the residual of point i is
+
+    e_i = B_i X / (m_i . X),   B_i m_i = 0,   m_i . X > 0
+
+where the 2x3 matrix B_i turns a change of the ray into thresholds. Inliers have |e_i| <= 1. */
+using Metric = Eigen::Matrix<double, 2, 3>;
+
+/** Metric of a lens: the pseudo-inverse of the derivative of the unit ray by the pixel, over the threshold [px]. */
+CV_EXPORTS Metric pixelMetric(const Eigen::Matrix<double, 3, 2>& rayByPixel, double threshold);
+
+/** Metric of an angle: |e_i| = tan(angle) / tan(threshold), so no approximation. threshold < pi/2 [rad]. */
+CV_EXPORTS Metric angularMetric(const Vector3d& ray, double threshold);
+
+struct RansacOptions
+{
+    double confidence;          //!< that an all-inlier sample was drawn
+    int maxIterations;          //!< samples of three points at most
+    uint64 seed;                //!< of the sampler
+    bool ordered;               //!< best correspondences first: PROSAC
+    double chance;              //!< probability that a wrong correspondence is within the threshold of any pose
+    std::optional<Pose> guess;  //!< tried first, object frame
+};
+
+struct Consensus
+{
+    Pose pose;       //!< object frame; refined on its inliers
+    int iterations;  //!< samples drawn
+};
+
+/** The pose of least  sum_i min(|e_i|^2, 1), e_i = infinity behind the camera (MSAC: Torr and Zisserman 2000), over P3P
+poses of random samples, each new best refined (LO-RANSAC: Chum, Matas, Kittler 2003), until the asked confidence.
+@param data at least 4 correspondences.
+@param metrics one a point.
+@return none where no pose has 4 inliers, or where chance explains as many. */
+CV_EXPORTS std::optional<Consensus> findConsensus(const Correspondences& data, const std::vector<Metric>& metrics,
+                                                  const RansacOptions& options);
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif  // OPENCV_GMLPNP_RANSAC_SEARCH_HPP

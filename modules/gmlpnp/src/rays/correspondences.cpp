@@ -1,0 +1,186 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "../precomp.hpp"
+
+#include "correspondences.hpp"
+#include "ray_pass.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+namespace {
+
+// Spread of the points across the best line through them, relative to the spread along it. Collinear points given in
+// single precision come out near 1e-7, so nothing below this can be told from a line.
+constexpr double COLLINEAR = 1e-6;
+
+// The same for rays: the root of the sum of their squared angles to the first [rad].
+constexpr double PARALLEL = 1e-9;
+
+// Least known variance, of the mean over the points: below it sums with the others have no digits left.
+constexpr double EXACT = 1e-10;
+
+// Lifts what is below. Rows of 6, xx xy xz yy yz zz; `along`: how many directions have no variance and need none.
+template <class Rows>
+void liftSingular(Rows rows, int along)
+{
+    const double least = EXACT / 3 * (rows.col(0) + rows.col(3) + rows.col(5)).mean();
+    for (int i = 0; i < rows.rows(); ++i) {
+        const Vector6d entries = rows.row(i);
+        if (Eigen3d(symmetric(entries.data()), Eigen::EigenvaluesOnly).eigenvalues()(along) < least)
+            for (const int diagonal : {0, 3, 5})
+                rows(i, diagonal) += least;
+    }
+}
+
+}  // namespace
+
+Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
+                                 const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances,
+                                 bool scaled_)
+    : columns(objectPoints.rows, 6), scaled(scaled_)
+{
+    using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>;
+    columns << Rows(objectPoints[0], size(), 3), Rows(rays[0], size(), 3);
+    centre = columns.leftCols<3>().colwise().mean();
+    prepare(centre);
+    scale = std::sqrt((sums.scatter[0] + sums.scatter[3] + sums.scatter[5]) / size());
+    if (!std::isnormal(scale))  // not finite() or degenerate()
+        return;
+    columns.leftCols<3>() *= 1 / scale;
+    for (double& entry : sums.scatter)
+        entry /= scale * scale;
+
+    setKnown(objectCovariances, rayCovariances);
+    if (!scaled)
+        return;
+    columns.rightCols<3>() = Rows(rays[0], size(), 3);
+    if (hasKnown())
+        known.rightCols<6>().array().colwise() /= columns.rightCols<3>().rowwise().squaredNorm().array();
+}
+
+void Correspondences::setKnown(const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances)
+{
+    if (objectCovariances.empty() && rayCovariances.empty())
+        return;
+    known.setZero(size(), 12);
+    constexpr int UPPER[6] = {0, 1, 2, 4, 5, 8};  // of a row-major 3x3
+    for (int i = 0; i < size(); ++i)
+        for (int k = 0; k < 6; ++k) {
+            if (!objectCovariances.empty())
+                known(i, k) = objectCovariances(i, UPPER[k]) / (scale * scale);
+            if (!rayCovariances.empty())
+                known(i, 6 + k) = rayCovariances(i, UPPER[k]);
+        }
+    if (!objectCovariances.empty())
+        liftSingular(known.leftCols<6>(), 0);
+    if (!rayCovariances.empty())
+        liftSingular(known.rightCols<6>(), 1);
+}
+
+void Correspondences::prepare(const Vector3d& origin)
+{
+    double *point[3], *ray[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        point[axis] = columns.col(axis).data();
+        ray[axis] = columns.col(3 + axis).data();
+    }
+    rayKernels(size()).prepare(point, ray, size(), origin.data(), sums);
+}
+
+double Correspondences::logAngularScales() const
+{
+    return scaled ? 0.5 * columns.rightCols<3>().rowwise().squaredNorm().array().log().sum() : 0;
+}
+
+Correspondences Correspondences::part(int count) const
+{
+    Correspondences out;
+    out.centre = centre;
+    out.scale = scale;
+    out.columns.resize(count, 6);
+    out.known.resize(hasKnown() ? count : 0, 12);
+    RNG rng(0x9e3779b9);  // not every k-th: points often come in rows of a grid
+    for (int k = 0; k < count; ++k) {
+        const int64 first = static_cast<int64>(k) * size() / count, end = static_cast<int64>(k + 1) * size() / count;
+        const int i = rng.uniform(static_cast<int>(first), static_cast<int>(end));
+        out.columns.row(k) = columns.row(i);
+        if (hasKnown())
+            out.known.row(k) = known.row(i);
+    }
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> rays = out.columns.rightCols<3>();
+    out.prepare(Vector3d::Zero());
+    out.scaled = scaled;
+    if (scaled)
+        out.columns.rightCols<3>() = rays;
+    return out;
+}
+
+PointArrays Correspondences::arrays() const
+{
+    PointArrays out{};
+    for (int axis = 0; axis < 3; ++axis) {
+        out.point[axis] = columns.col(axis).data();
+        out.ray[axis] = columns.col(3 + axis).data();
+    }
+    for (int entry = 0; entry < 12 && hasKnown(); ++entry)
+        out.known[entry] = known.col(entry).data();
+    out.size = size();
+    return out;
+}
+
+Matrix3d Correspondences::knownAt(int i, int first) const
+{
+    const Eigen::Matrix<double, 1, 6> entries = known.row(i).segment<6>(first);
+    return symmetric(entries.data());
+}
+
+bool Correspondences::finite() const
+{
+    // Sums of squares are finite for anything below 1e150 and not for NaN and infinity; covariances need room as well.
+    constexpr double LARGEST = 1e100;
+    return scale < LARGEST && std::isfinite(sums.ray2) && std::isfinite(sums.inverse2);
+}
+
+bool Correspondences::degenerate() const
+{
+    constexpr double SMALLEST = 1e-100;  // of covariances below nothing would be left
+    if (!(scale > SMALLEST))
+        return true;
+    const Vector3d spread = Eigen3d(symmetric(sums.scatter), Eigen::EigenvaluesOnly).eigenvalues();
+    // Rounding of coordinates far from the origin looks like spread too.
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * centre.norm() / scale;
+    const double line = std::max(COLLINEAR, rounding);
+    return spread(1) <= line * line * spread(2) || sums.apart2 <= PARALLEL * PARALLEL;
+}
+
+// The fewest distinct places stand first in most data: a few comparisons end the search.
+bool Correspondences::hasPlaces(int wanted) const
+{
+    std::array<int, 4> places;
+    CV_Assert(wanted <= static_cast<int>(places.size()));
+    int count = 0;
+    for (int i = 0; i < size() && count < wanted; ++i) {
+        const auto same = [&](int place) { return (pointAt(i) - pointAt(place)).norm() <= COLLINEAR; };
+        if (std::none_of(places.begin(), places.begin() + count, same))
+            places[count++] = i;
+    }
+    return count >= wanted;
+}
+
+Pose Correspondences::toObject(const Pose& normalised) const
+{
+    return {normalised.R, scale * normalised.t - normalised.R * centre};
+}
+
+Pose Correspondences::fromObject(const Pose& pose) const
+{
+    return {pose.R, (pose.t + pose.R * centre) / scale};
+}
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv

@@ -1,0 +1,122 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html
+
+#include "../test_precomp.hpp"
+
+#include "../camera/camera_util.hpp"
+#include "../scenes.hpp"
+
+// The contract of a drop-in for cv::fisheye::solvePnP.
+
+namespace opencv_test {
+namespace {
+
+using namespace camera;
+
+const Matx33d kK = matrixK(300, 302, 640, 480);
+const Vec4d kD(-0.02, 0.004, -0.001, 0.0001);
+constexpr int FLAGS[] = {gmlpnp::SOLVEPNP_GMLPNP, gmlpnp::SOLVEPNP_GMLPNP_MARGINAL};
+
+// Exact pixels of the points of a scene in the lens K, D.
+Mat_<double> pixelsOf(const Scene& scene, const Matx33d& K = kK)
+{
+    Mat_<double> pixels(scene.rays.rows, 2);
+    for (int i = 0; i < pixels.rows; ++i) {
+        Point2d pixel;
+        EXPECT_TRUE(CameraModel::fisheye(K, kD)->projectPoint(Vec3d(scene.rays.ptr<double>(i)), pixel));
+        pixels(i, 0) = pixel.x;
+        pixels(i, 1) = pixel.y;
+    }
+    return pixels;
+}
+
+// Up to 110 degrees off the axis, also behind the camera.
+Scene wideScene(cv::RNG& rng)
+{
+    std::vector<Vector3d> points;
+    while (points.size() < 40)
+        for (const Vector3d& X : surroundingPoints(rng, 20))
+            if (X.z() > std::cos(110 * kDegree) * X.norm())
+                points.push_back(X);
+    return exactScene(rng, points);
+}
+
+TEST(Gmlpnp_SolvePnPFisheye, exact_up_to_110_degrees)
+{
+    cv::RNG rng = testRng();
+    for (int flag : FLAGS) {
+        const Scene scene = wideScene(rng);
+        Vec3d rvec, tvec;
+        ASSERT_TRUE(gmlpnp::fisheye::solvePnP(scene.objectPoints, pixelsOf(scene), kK, kD, rvec, tvec, false, flag));
+        EXPECT_TRUE(poseNear(poseOf(rvec, tvec), scene.truth, 1e-9, 1e-8));
+    }
+}
+
+TEST(Gmlpnp_SolvePnPFisheye, default_flag_depth_and_guess_are_those_of_solvePnP)
+{
+    cv::RNG rng = testRng();
+    const Scene scene = wideScene(rng);
+    Mat rvec, tvec;
+    ASSERT_TRUE(gmlpnp::fisheye::solvePnP(scene.objectPoints, pixelsOf(scene), kK, kD, rvec, tvec));
+    EXPECT_EQ(CV_64F, rvec.type());
+    EXPECT_EQ(Size(1, 3), tvec.size());
+    Vec3f guess, start;
+    Mat(rvec + 0.02).convertTo(guess, CV_32F);
+    Mat(tvec + 0.1).convertTo(start, CV_32F);
+    ASSERT_TRUE(gmlpnp::fisheye::solvePnP(scene.objectPoints, pixelsOf(scene), kK, kD, guess, start, true));
+    EXPECT_TRUE(poseNear(poseOf(Vec3d(guess), Vec3d(start)), scene.truth, 1e-6, 1e-5));
+}
+
+// With rays in front of the camera each flag of OpenCV finds the pose; its own 5 iterations would not, at 80 degrees.
+TEST(Gmlpnp_SolvePnPFisheye, opencv_flags_work_on_the_undistorted_pixels)
+{
+    cv::RNG rng = testRng();
+    std::vector<Vector3d> points;
+    for (int i = 0; i < 30; ++i) {
+        const Vec3d X = rng.uniform(2., 8.) * direction(rng.uniform(0., 80.) * kDegree, rng.uniform(0., 2 * CV_PI));
+        points.emplace_back(X[0], X[1], X[2]);
+    }
+    const Scene scene = exactScene(rng, points);
+    Matx33d skewed = kK;
+    skewed(0, 1) = 1.5;
+    for (const Matx33d& K : {kK, skewed})
+        for (int flag : {gmlpnp::SOLVEPNP_ITERATIVE, gmlpnp::SOLVEPNP_EPNP, gmlpnp::SOLVEPNP_SQPNP}) {
+            SCOPED_TRACE(testing::Message() << "flag " << flag << " skew " << K(0, 1));
+            Vec3d rvec, tvec;
+            ASSERT_TRUE(
+                gmlpnp::fisheye::solvePnP(scene.objectPoints, pixelsOf(scene, K), K, kD, rvec, tvec, false, flag));
+            EXPECT_TRUE(poseNear(poseOf(rvec, tvec), scene.truth, 1e-4, 1e-3));
+        }
+}
+
+TEST(Gmlpnp_SolvePnPFisheye, wrong_input_is_refused_by_name)
+{
+    cv::RNG rng = testRng();
+    const Scene scene = wideScene(rng);
+    const Mat P = scene.objectPoints, U = pixelsOf(scene), none;
+    Vec3d rvec(1, 2, 3), tvec(4, 5, 6);
+    const auto call = [&](const Mat& p, const Mat& u, const Mat& K, const Mat& D, int flag) {
+        return [=, &rvec, &tvec] { gmlpnp::fisheye::solvePnP(p, u, K, D, rvec, tvec, false, flag); };
+    };
+    const Mat K(kK), D(kD), D5 = Mat::zeros(5, 1, CV_64F), K34 = Mat::eye(3, 4, CV_64F);
+    for (int flag : FLAGS) {
+        expectError(Error::StsAssert, "objectPoints", call(P.t(), U, K, D, flag));
+        expectError(Error::StsAssert, "imagePoints", call(P, U.rowRange(0, 12), K, D, flag));
+        expectError(Error::StsAssert, "imagePoints", call(P, none, K, D, flag));
+        expectError(Error::StsAssert, "K", call(P, U, K34, D, flag));
+        expectError(Error::StsAssert, "D", call(P, U, K, D5, flag));
+    }
+    // Some rays are behind the camera: no image plane, and so no flag of OpenCV, can hold them.
+    expectError(Error::StsBadArg, "imagePoints", call(P, U, K, D, gmlpnp::SOLVEPNP_EPNP));
+    for (int flag : {-1, 99, 102})
+        expectError(Error::StsBadArg, "flags", call(P, U, K, D, flag));
+    Mat_<double> notFinite = U.clone();
+    notFinite(3, 1) = std::nan("");
+    EXPECT_FALSE(gmlpnp::fisheye::solvePnP(P, notFinite, K, D, rvec, tvec));
+    EXPECT_EQ(Vec3d(1, 2, 3), rvec);
+    EXPECT_EQ(Vec3d(4, 5, 6), tvec);
+}
+
+}  // namespace
+}  // namespace opencv_test
