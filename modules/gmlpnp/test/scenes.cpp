@@ -24,6 +24,11 @@ Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec)
     return {expSO3(Vector3d(rvec[0], rvec[1], rvec[2])), Vector3d(tvec[0], tvec[1], tvec[2])};
 }
 
+Pose poseOf(const cv::gmlpnp::Result& result)
+{
+    return poseOf(result.rvec, result.tvec);
+}
+
 testing::AssertionResult poseNear(const Pose& pose, const Pose& truth, double angle, double distance)
 {
     const double angleOff = rotationAngle(pose.R, truth.R), distanceOff = (pose.t - truth.t).norm();
@@ -35,7 +40,32 @@ testing::AssertionResult poseNear(const Pose& pose, const Pose& truth, double an
 
 testing::AssertionResult poseNear(const cv::gmlpnp::Result& result, const Pose& truth, double angle, double distance)
 {
-    return poseNear(poseOf(result.rvec, result.tvec), truth, angle, distance);
+    return poseNear(poseOf(result), truth, angle, distance);
+}
+
+cv::gmlpnp::Result solved(const cv::Mat_<double>& points, const cv::Mat_<double>& rays,
+                          const cv::gmlpnp::Params& params)
+{
+    cv::gmlpnp::Result result;
+    EXPECT_TRUE(cv::gmlpnp::solveRays(points, rays, result, params));
+    return result;
+}
+
+cv::gmlpnp::Result solved(const Scene& scene, const cv::gmlpnp::Params& params)
+{
+    return solved(scene.objectPoints, scene.rays, params);
+}
+
+cv::gmlpnp::Result solvedPixels(const Scene& scene, const cv::gmlpnp::Params& params)
+{
+    cv::gmlpnp::Result result;
+    EXPECT_TRUE(cv::gmlpnp::solve(scene.objectPoints, scene.imagePoints, paperCamera(), cv::noArray(), result, params));
+    return result;
+}
+
+double distance(const cv::gmlpnp::Result& result, const Scene& scene)
+{
+    return (poseOf(result).t - scene.truth.t).norm();
 }
 
 Matrix3d matrix3(const cv::Mat& m)

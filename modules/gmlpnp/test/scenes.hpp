@@ -25,6 +25,7 @@ using cv::gmlpnp::detail::Vector6d;
 cv::RNG testRng();
 
 Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec);
+Pose poseOf(const cv::gmlpnp::Result& result);
 
 /** Both errors at most the bounds [rad, length]; fails on NaN. */
 testing::AssertionResult poseNear(const Pose& pose, const Pose& truth, double angle, double distance);
@@ -48,6 +49,15 @@ inline cv::gmlpnp::Params paramsOf(int method)
     params.method = method;
     return params;
 }
+
+/** The result of a solve that must succeed: of rays, or of the pixels of the scene in paperCamera(). */
+cv::gmlpnp::Result solved(const cv::Mat_<double>& points, const cv::Mat_<double>& rays,
+                          const cv::gmlpnp::Params& params = cv::gmlpnp::Params());
+cv::gmlpnp::Result solved(const Scene& scene, const cv::gmlpnp::Params& params = cv::gmlpnp::Params());
+cv::gmlpnp::Result solvedPixels(const Scene& scene, const cv::gmlpnp::Params& params = cv::gmlpnp::Params());
+
+/** Distance of the translation from the true one. */
+double distance(const cv::gmlpnp::Result& result, const Scene& scene);
 
 Matrix3d matrix3(const cv::Mat& m);
 Matrix6d matrix6(const cv::Mat& m);

@@ -9,7 +9,7 @@
 
 #include <thread>
 
-// The contract of a drop-in for cv::solvePnPRansac and cv::fisheye::solvePnPRansac.
+// The contract of a drop-in for cv::solvePnPRansac.
 
 namespace opencv_test {
 namespace {
@@ -241,44 +241,6 @@ TEST(Gmlpnp_SolvePnPRansac, misuseIsNamed)
     refused(
         [&] { solveRansac(scene.objectPoints, scene.imagePoints, paperCamera(), noArray(), result, inliers, angle); },
         Error::StsBadArg, "threshold");
-}
-
-TEST(Gmlpnp_SolvePnPRansac, fisheye)
-{
-    cv::RNG rng = testRng();
-    const Matx33d K = matrixK(300, 302, 640, 480);
-    const Vec4d D(-0.02, 0.004, -0.001, 0.0001);
-    const Ptr<CameraModel> lens = CameraModel::fisheye(K, D);
-    for (const double widest : {110., 60.}) {
-        std::vector<Vector3d> points;
-        Mat_<double> pixels(0, 2);
-        while (points.size() < 60) {
-            const Vector3d X = surroundingPoints(rng, 1).front();
-            Point2d pixel;
-            if (X.z() < std::cos(widest * kDegree) * X.norm() || !lens->projectPoint(Vec3d(X.x(), X.y(), X.z()), pixel))
-                continue;
-            if (points.size() % 3 == 0)
-                pixel += Point2d(rng.uniform(-90., 90.), rng.uniform(20., 90.));
-            points.push_back(X);
-            pixels.push_back(Mat(Matx12d(pixel.x, pixel.y)));
-        }
-        const Scene scene = exactScene(rng, points);
-        Mat rvec, tvec, inliers;
-        ASSERT_TRUE(gmlpnp::fisheye::solvePnPRansac(scene.objectPoints, pixels, K, D, rvec, tvec, false, 1000, 3.f,
-                                                    0.99, inliers));
-        EXPECT_EQ(40, inliers.rows);
-        EXPECT_TRUE(poseNear(poseOf(Vec3d(rvec), Vec3d(tvec)), scene.truth, 1e-3, 5e-3));
-        const auto byOpenCV = [&] {
-            return gmlpnp::fisheye::solvePnPRansac(scene.objectPoints, pixels, K, D, rvec, tvec, false, 1000, 3.f, 0.99,
-                                                   inliers, cv::SOLVEPNP_SQPNP);
-        };
-        if (widest > 90) {
-            EXPECT_THROW(byOpenCV(), cv::Exception);
-        } else {
-            ASSERT_TRUE(byOpenCV());
-            EXPECT_TRUE(poseNear(poseOf(Vec3d(rvec), Vec3d(tvec)), scene.truth, 0.01, 0.05));
-        }
-    }
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(Gmlpnp_Draw, ellipseHoldsThePointsOfTheCovariance)
     cv::RNG rng = testRng();
     const Result result = uncertainPose(rng);
     const Matrix6d L = matrix6(result.poseCovariance).llt().matrixL();
-    const Pose pose = poseOf(result.rvec, result.tvec);
+    const Pose pose = poseOf(result);
     for (const Ptr<CameraModel>& lens : lenses())
         for (const Vec3d& p : {Vec3d(), Vec3d(0.5, -0.4, 0.6)}) {
             Point2d centre;

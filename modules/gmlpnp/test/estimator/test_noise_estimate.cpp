@@ -61,13 +61,6 @@ Scene sceneOf(cv::RNG& rng, const View& view, int n, const Matrix3d& Sigma, cons
     return scene;
 }
 
-Result solved(const Scene& scene, const Params& params = Params())
-{
-    Result result;
-    EXPECT_TRUE(cv::gmlpnp::solveRays(scene.objectPoints, scene.rays, result, params));
-    return result;
-}
-
 TEST(Gmlpnp_NoiseEstimate, informationIsThatOfEachPoint)
 {
     cv::RNG rng = testRng();
@@ -156,9 +149,8 @@ TEST(Gmlpnp_NoiseEstimate, atOneDepthTheSumIsRight)
             const Matrix3d S = pose.R * Sigma * pose.R.transpose() + view.depth() * view.depth() * Gamma;
             return S(0, 0) + S(1, 1);
         };
-        const double ratio =
-            across(poseOf(result.rvec, result.tvec), matrix3(result.objectNoise), matrix3(result.bearingNoise)) /
-            across(scene.truth, trueSigma(), trueGamma(view));
+        const double ratio = across(poseOf(result), matrix3(result.objectNoise), matrix3(result.bearingNoise)) /
+                             across(scene.truth, trueSigma(), trueGamma(view));
         mean += ratio / PROBLEMS;
         square += (ratio - 1) * (ratio - 1) / PROBLEMS;
     }
@@ -218,7 +210,7 @@ TEST(Gmlpnp_NoiseEstimate, smallObjectsAreNotPulledTowardsTheCamera)
         Scene scene = exactScene(rng, points);
         disturb(rng, scene, 0, 1, *camera);
         const Result result = solved(scene);
-        const double off = (poseOf(result.rvec, result.tvec).t - scene.truth.t).dot(scene.truth.t.normalized());
+        const double off = (poseOf(result).t - scene.truth.t).dot(scene.truth.t.normalized());
         sum += off;
         square += off * off;
         evidence += result.noiseEvidence / PROBLEMS;

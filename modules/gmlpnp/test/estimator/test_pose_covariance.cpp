@@ -72,7 +72,7 @@ TEST(Gmlpnp_PoseCovariance, knownNoiseIsCovered)
         params.objectNoise = Sigma;
         cv::gmlpnp::Result result;
         ASSERT_TRUE(cv::gmlpnp::solveRays(scene.objectPoints, scene.rays, result, params));
-        const double nees = mahalanobis2(scene.truth, poseOf(result.rvec, result.tvec), result.poseCovariance);
+        const double nees = mahalanobis2(scene.truth, poseOf(result), result.poseCovariance);
         sum += nees;
         inside += nees < 12.592;  // 95 % quantile
     }

@@ -79,7 +79,7 @@ TEST(Gmlpnp_Rating, choosesTheMinimumThatIsRefined)
         otherThanTheCost += best != minima.begin();
         cv::gmlpnp::Result result;
         ASSERT_TRUE(cv::gmlpnp::solveRays(scene.objectPoints, scene.rays, result));
-        const Pose found = data.fromObject(poseOf(result.rvec, result.tvec));
+        const Pose found = data.fromObject(poseOf(result));
         const auto nearest = std::min_element(minima.begin(), minima.end(), [&](const auto& a, const auto& b) {
             return rotationAngle(a.pose.R, found.R) < rotationAngle(b.pose.R, found.R);
         });

@@ -4,7 +4,6 @@
 
 #include "../test_precomp.hpp"
 
-#include "../../src/math/cholesky.hpp"
 #include "../../src/math/spd3.hpp"
 #include "../scenes.hpp"
 
@@ -55,26 +54,6 @@ TEST(Gmlpnp_Spd3, rankIsRelative)
     EXPECT_EQ(3, rank(1e-20 * Matrix3d::Identity(), 1e-6));
     EXPECT_EQ(2, rank(Vector3d(1, 1e-3, 1e-12).asDiagonal(), 1e-6));
     EXPECT_EQ(0, rank(Matrix3d::Zero(), 1e-6));
-}
-
-TEST(Gmlpnp_Cholesky, solvesAndTellsWhatItCannot)
-{
-    cv::RNG rng = testRng();
-    Matrix6d A = Matrix6d::Zero();
-    for (int k = 0; k < 6; ++k) {
-        Vector6d v;
-        v << gaussian3(rng), gaussian3(rng);
-        A += v * v.transpose();
-    }
-    const CholeskyFactor<6> cholesky(A);
-    ASSERT_TRUE(cholesky.positiveDefinite());
-    const Vector6d b = Vector6d::LinSpaced(-1, 3);
-    EXPECT_TRUE(matrixNear(A * cholesky.solve(b), b, 1e-9));
-    A(3, 3) = std::nan("");
-    EXPECT_FALSE(CholeskyFactor<6>(A).positiveDefinite());
-    EXPECT_FALSE(CholeskyFactor<6>(Matrix6d::Zero()).positiveDefinite());
-    EXPECT_FALSE(CholeskyFactor<6>(Matrix6d::Ones()).positiveDefinite());
-    EXPECT_FALSE(CholeskyFactor<6>(-Matrix6d::Identity()).positiveDefinite());
 }
 
 }  // namespace

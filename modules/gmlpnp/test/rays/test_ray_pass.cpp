@@ -7,101 +7,12 @@
 #include "../../src/rays/ray_pass.hpp"
 #include "../scenes.hpp"
 
+// The sums of a pass against the terms of its points, written out.
+
 namespace opencv_test {
 namespace {
 
 using namespace cv::gmlpnp::detail;
-
-struct OneRay
-{
-    Vector3d p, m;
-    Pose pose;
-    Matrix3d S_o, Gamma;
-};
-
-OneRay randomRay(cv::RNG& rng)
-{
-    OneRay s;
-    s.p = gaussian3(rng);
-    s.m = gaussian3(rng).normalized();
-    s.pose = {randomRotation(rng), 3 * gaussian3(rng)};
-    s.S_o = randomNoise(rng, 0.3);
-    s.Gamma = randomNoise(rng, 0.1);
-    return s;
-}
-
-PointTerms terms(const OneRay& s)
-{
-    return pointTerms(s.p, s.m, s.pose, s.S_o, s.Gamma);
-}
-
-// doc: the free identities of the eliminated depth.
-TEST(Gmlpnp_RayPass, identities)
-{
-    cv::RNG rng = testRng();
-    for (int k = 0; k < 100; ++k) {
-        const OneRay s = randomRay(rng);
-        const PointTerms at = terms(s);
-        const double size = at.Q.norm();
-        EXPECT_TRUE(matrixNear(at.Q * s.m, Vector3d::Zero(), 1e-12 * size));
-        EXPECT_NEAR(s.m.dot(at.z), 0, 1e-12 * at.z.norm());
-        EXPECT_NEAR(at.c, at.X.dot(at.z), 1e-10 * (1 + at.c));
-        EXPECT_TRUE(matrixNear(at.z, at.Q * at.X, 1e-10 * (1 + at.z.norm())));
-        EXPECT_TRUE(matrixNear(at.Q, at.Q.transpose(), 1e-12 * size));
-        EXPECT_GE(Eigen3d(at.Q).eigenvalues()(0), -1e-12 * size);
-        EXPECT_NEAR(at.D, s.m.dot(adjugate(s.S_o + at.s * at.s * s.Gamma) * s.m), 1e-15);
-    }
-}
-
-TEST(Gmlpnp_RayPass, isotropicNoiseGivesTheProjector)
-{
-    cv::RNG rng = testRng();
-    OneRay s = randomRay(rng);
-    s.S_o = 0.04 * Matrix3d::Identity();
-    s.Gamma.setZero();
-    EXPECT_TRUE(matrixNear(terms(s).Q, (Matrix3d::Identity() - s.m * s.m.transpose()) / 0.04, 1e-12));
-}
-
-// The tangent plane formula, written out with a basis, is an independent way to c and D.
-TEST(Gmlpnp_RayPass, agreesWithATangentBasis)
-{
-    cv::RNG rng = testRng();
-    for (int k = 0; k < 50; ++k) {
-        const OneRay s = randomRay(rng);
-        const PointTerms at = terms(s);
-        Eigen::Matrix<double, 3, 2> B;
-        B.col(0) = s.m.unitOrthogonal();
-        B.col(1) = s.m.cross(B.col(0));
-        const Eigen::Matrix2d S2 = B.transpose() * (s.S_o + at.s * at.s * s.Gamma) * B;
-        const Eigen::Vector2d r = B.transpose() * at.X;
-        EXPECT_NEAR(at.c, r.dot(S2.inverse() * r), 1e-9 * (1 + at.c));
-        EXPECT_NEAR(at.D, S2.determinant(), 1e-12 * S2.determinant());
-    }
-}
-
-// zTilde is d(c/2)/dX with everything that depends on X: also S through the depth.
-TEST(Gmlpnp_RayPass, correctedGradientIsTheDerivativeOfHalfC)
-{
-    cv::RNG rng = testRng();
-    constexpr double h = 1e-6;
-    for (int k = 0; k < 50; ++k) {
-        const OneRay s = randomRay(rng);
-        Vector3d numeric;
-        for (int a = 0; a < 3; ++a) {
-            OneRay plus = s, minus = s;
-            plus.pose.t(a) += h;
-            minus.pose.t(a) -= h;
-            numeric(a) = (terms(plus).c - terms(minus).c) / (4 * h);
-        }
-        const PointTerms at = terms(s);
-        EXPECT_TRUE(matrixNear(at.zTilde, numeric, 1e-6 * (1 + numeric.norm())));
-    }
-}
-
-Correspondences makeData(const Scene& scene)
-{
-    return Correspondences(scene.objectPoints, scene.rays);
-}
 
 RaySums sumsByPointTerms(const Correspondences& data, const Pose& pose, const Noise& noise)
 {
@@ -224,135 +135,11 @@ TEST(Gmlpnp_RayPass, angularScalesScaleGamma)
     EXPECT_NEAR(a.L - logScales, b.L, 1e-10);
 }
 
-// The rays of a scene turned so that R is the true rotation.
-Correspondences turnedTo(const Matrix3d& R, const Scene& scene, Pose& truth)
-{
-    const Matrix3d turn = R * scene.truth.R.transpose();
-    cv::Mat_<double> rays(scene.rays.rows, 3);
-    for (int i = 0; i < rays.rows; ++i) {
-        const Vector3d m = turn * Vector3d(scene.rays(i, 0), scene.rays(i, 1), scene.rays(i, 2));
-        for (int k = 0; k < 3; ++k)
-            rays(i, k) = m(k);
-    }
-    Correspondences data(scene.objectPoints, rays);
-    truth = data.fromObject({R, turn * scene.truth.t});
-    return data;
-}
-
-Vector6d numericGradient(const Correspondences& data, const Pose& pose, const Noise& noise)
-{
-    constexpr double h = 1e-6;
-    Vector6d gradient;
-    for (int k = 0; k < 6; ++k) {
-        const Vector6d step = h * Vector6d::Unit(k);
-        gradient(k) =
-            (rayPass(data, perturbed(pose, step), noise).misfit - rayPass(data, perturbed(pose, -step), noise).misfit) /
-            (2 * h);
-    }
-    return gradient;
-}
-
-Matrix6d numericHessian(const Correspondences& data, const Pose& pose, const Noise& noise)
-{
-    constexpr double h = 1e-6;
-    Matrix6d hessian;
-    for (int k = 0; k < 6; ++k) {
-        const Vector6d step = h * Vector6d::Unit(k);
-        hessian.col(k) =
-            (rayPass(data, perturbed(pose, step), noise).g - rayPass(data, perturbed(pose, -step), noise).g) / (2 * h);
-    }
-    return hessian;
-}
-
-// At the identity, 1e-8 from it, at random and near a rotation of pi: g is the derivative of sum c/2 with Sigma fixed
-// in the object frame and Gamma in the camera frame; without residuals H is its Hessian.
-TEST(Gmlpnp_RayPass, gradientAndHessianAreNumericDerivatives)
-{
-    cv::RNG rng = testRng();
-    const Vector3d axis = gaussian3(rng).normalized();
-    const std::vector<Matrix3d> rotations = {Matrix3d::Identity(), expSO3(1e-8 * axis), randomRotation(rng),
-                                             expSO3((CV_PI - 1e-8) * axis)};
-    const Matrix3d some = randomNoise(rng, 0.2) + 0.01 * Matrix3d::Identity(), none = Matrix3d::Zero();
-    for (const Matrix3d& R : rotations)
-        for (const Noise& noise :
-             {Noise{some, none, {0}}, Noise{some, none, {0.2}}, Noise{1e-8 * Matrix3d::Identity(), some, {0}}}) {
-            Pose truth;
-            const Correspondences data = turnedTo(R, exactScene(rng, surroundingPoints(rng, 30)), truth);
-            Vector6d xi;
-            xi << 0.03 * gaussian3(rng), 0.03 * gaussian3(rng);
-            const Pose off = perturbed(truth, xi);
-            const Vector6d gradient = numericGradient(data, off, noise);
-            EXPECT_TRUE(matrixNear(rayPass(data, off, noise).g, gradient, 1e-6 * gradient.norm()));
-            const RaySums exact = rayPass(data, truth, noise);
-            EXPECT_TRUE(matrixNear(exact.H, numericHessian(data, truth, noise), 1e-6 * exact.H.norm()));
-            EXPECT_TRUE(matrixNear(exact.H, exact.H.transpose(), 0));
-            EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix6d>(exact.H).eigenvalues()(0), 0);
-        }
-}
-
-// Published: the noise stays as it lies in the camera frame while the pose moves.
-TEST(Gmlpnp_RayPass, leverArmAsGivenHoldsTheNoiseInTheCameraFrame)
-{
-    cv::RNG rng = testRng();
-    const Correspondences data = makeData(paperScene(rng, 20, 0.3, 3));
-    const Pose pose{randomRotation(rng), Vector3d(0, 0, 3)};
-    const Noise noise{randomNoise(rng, 0.2) + 0.01 * Matrix3d::Identity(), Matrix3d::Zero(), {}};
-    constexpr double h = 1e-6;
-    Vector6d gradient;
-    for (int k = 0; k < 6; ++k) {
-        double c[2];
-        for (int side : {0, 1}) {
-            const Pose moved = perturbed(pose, (side ? h : -h) * Vector6d::Unit(k));
-            const Matrix3d turn = moved.R.transpose() * pose.R;
-            c[side] = rayPass(data, moved, {turn * noise.Sigma * turn.transpose(), noise.Gamma, {0}}).misfit;
-        }
-        gradient(k) = (c[1] - c[0]) / (2 * h);
-    }
-    EXPECT_TRUE(matrixNear(rayPass(data, pose, noise, {LeverArm::AS_GIVEN, NO_PRODUCTS, nullptr}).g, gradient,
-                           1e-6 * gradient.norm()));
-}
-
-// The mean of the gradient at the truth vanishes for either noise: what makes the estimate consistent.
-TEST(Gmlpnp_RayPass, gradientHasNoMeanAtTheTruth)
-{
-    cv::RNG rng = testRng();
-    const Scene scene = exactScene(rng, boxPoints(rng, 40));
-    const Matrix3d object = randomNoise(rng, 0.3);
-    const double bearing = 0.02;
-    for (bool isObject : {true, false}) {
-        const Noise noise{isObject ? object : Matrix3d(1e-12 * Matrix3d::Identity()),
-                          isObject ? Matrix3d(Matrix3d::Zero()) : Matrix3d(bearing * bearing * Matrix3d::Identity()),
-                          {0}};
-        const Matrix3d root = Eigen3d(object).operatorSqrt();
-        Vector6d sum = Vector6d::Zero();
-        Matrix6d information = Matrix6d::Zero();
-        const int trials = 4000;
-        for (int trial = 0; trial < trials; ++trial) {
-            cv::Mat_<double> points = scene.objectPoints.clone(), rays = scene.rays.clone();
-            for (int i = 0; i < points.rows; ++i) {
-                const Vector3d e = isObject ? Vector3d(root * gaussian3(rng)) : Vector3d(bearing * gaussian3(rng));
-                for (int k = 0; k < 3; ++k)
-                    (isObject ? points : rays)(i, k) += e(k);
-            }
-            const Correspondences data(points, rays);
-            const double unit = 1 / (data.scale * data.scale);
-            const RaySums sums = rayPass(data, data.fromObject(scene.truth), {unit * noise.Sigma, noise.Gamma, {0}});
-            // In the caller's units, so that trials add up: delta' = delta / scale.
-            Vector6d units;
-            units << 1, 1, 1, Vector3d::Constant(1 / data.scale);
-            sum += units.cwiseProduct(sums.g);
-            information += units.asDiagonal() * sums.H * units.asDiagonal();
-        }
-        // g ~ (0, H) per trial, so this is chi-squared with 6 degrees of freedom; its 99.99 % quantile is 27.9.
-        EXPECT_LT(sum.dot(information.ldlt().solve(sum)), 27.9) << (isObject ? "object" : "bearing") << " noise";
-    }
-}
-
 TEST(Gmlpnp_RayPass, countsPointsInFront)
 {
     cv::RNG rng = testRng();
     const Scene scene = exactScene(rng, surroundingPoints(rng, 25));
-    const Correspondences data = makeData(scene);
+    const Correspondences data(scene.objectPoints, scene.rays);
     Pose pose = data.fromObject(scene.truth);
     const Noise noise{Matrix3d::Identity(), Matrix3d::Zero(), {}};
     EXPECT_EQ(25, rayPass(data, pose, noise).inFront);
