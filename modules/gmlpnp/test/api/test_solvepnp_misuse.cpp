@@ -27,20 +27,20 @@ TEST(Gmlpnp_SolvePnP, wrongInputsAreRefusedByName)
             return [=, &p, &u, &K, &D, &rvec, &tvec] { cv::gmlpnp::solvePnP(p, u, K, D, rvec, tvec, false, flag); };
         };
         const cv::Mat none, Pt = P.t(), three = P.rowRange(0, 3), threeU = U.rowRange(0, 3), fewer = U.rowRange(0, 11);
-        EXPECT_EQ(-215, codeOf(call(Pt, U, r.K, none), "objectPoints"));
-        EXPECT_EQ(-215, codeOf(call(intP, U, r.K, none), "objectPoints"));
-        EXPECT_EQ(-215, codeOf(call(none, U, r.K, none), "objectPoints"));
-        EXPECT_EQ(-215, codeOf(call(three, threeU, r.K, none), "objectPoints"));
-        EXPECT_EQ(-215, codeOf(call(P, fewer, r.K, none), "imagePoints"));
-        EXPECT_EQ(-215, codeOf(call(P, none, r.K, none), "imagePoints"));
-        EXPECT_EQ(-215, codeOf(call(P, P, r.K, none), "imagePoints"));
+        expectError(cv::Error::StsAssert, "objectPoints", call(Pt, U, r.K, none));
+        expectError(cv::Error::StsAssert, "objectPoints", call(intP, U, r.K, none));
+        expectError(cv::Error::StsAssert, "objectPoints", call(none, U, r.K, none));
+        expectError(cv::Error::StsAssert, "objectPoints", call(three, threeU, r.K, none));
+        expectError(cv::Error::StsAssert, "imagePoints", call(P, fewer, r.K, none));
+        expectError(cv::Error::StsAssert, "imagePoints", call(P, none, r.K, none));
+        expectError(cv::Error::StsAssert, "imagePoints", call(P, P, r.K, none));
         const cv::Mat K34 = cv::Mat::eye(3, 4, CV_64F), K9 = cv::Mat::ones(9, 1, CV_64F),
                       K0 = cv::Mat::zeros(3, 3, CV_64F), D3 = cv::Mat::zeros(3, 1, CV_64F);
-        EXPECT_EQ(-215, codeOf(call(P, U, K34, none), "K"));
-        EXPECT_EQ(-215, codeOf(call(P, U, K9, none), "K"));
-        EXPECT_EQ(-215, codeOf(call(P, U, none, none), "K"));
-        EXPECT_EQ(-5, codeOf(call(P, U, K0, none), "K"));
-        EXPECT_EQ(-215, codeOf(call(P, U, r.K, D3), "D"));
+        expectError(cv::Error::StsAssert, "K", call(P, U, K34, none));
+        expectError(cv::Error::StsAssert, "K", call(P, U, K9, none));
+        expectError(cv::Error::StsAssert, "K", call(P, U, none, none));
+        expectError(cv::Error::StsBadArg, "K", call(P, U, K0, none));
+        expectError(cv::Error::StsAssert, "D", call(P, U, r.K, D3));
     }
     EXPECT_TRUE(rvec.empty());
     EXPECT_TRUE(tvec.empty());
