@@ -10,18 +10,18 @@ namespace opencv_test {
 
 using namespace cv::gmlpnp::detail;
 
-cv::RNG testRng()
+uint64_t testSeed()
 {
     const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
     uint64_t hash = 1469598103934665603ull;  // FNV-1a
     for (const char* c = info->name(); *c; ++c)
         hash = (hash ^ static_cast<unsigned char>(*c)) * 1099511628211ull;
-    return cv::RNG(hash);
+    return hash;
 }
 
-Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec)
+cv::RNG testRng()
 {
-    return {expSO3(Vector3d(rvec[0], rvec[1], rvec[2])), Vector3d(tvec[0], tvec[1], tvec[2])};
+    return cv::RNG(testSeed());
 }
 
 Pose poseOf(const cv::gmlpnp::Result& result)

@@ -21,10 +21,10 @@ using cv::gmlpnp::detail::Pose;
 using cv::gmlpnp::detail::Vector3d;
 using cv::gmlpnp::detail::Vector6d;
 
-/** A generator seeded from the name of the running test: fixed, and another for each test. */
+/** A generator seeded from the name of the running test and its cell: fixed, and another for each. */
 cv::RNG testRng();
+uint64_t testSeed();
 
-Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec);
 Pose poseOf(const cv::gmlpnp::Result& result);
 
 /** Both errors at most the bounds [rad, length]; fails on NaN. */

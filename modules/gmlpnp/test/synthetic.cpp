@@ -8,6 +8,11 @@ namespace synthetic {
 
 using cv::gmlpnp::detail::logSO3;
 
+Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec)
+{
+    return {cv::gmlpnp::detail::expSO3(Vector3d(rvec.val)), Vector3d(tvec.val)};
+}
+
 Vector3d gaussian3(cv::RNG& rng)
 {
     const double x = rng.gaussian(1), y = rng.gaussian(1), z = rng.gaussian(1);

@@ -15,6 +15,11 @@ using cv::gmlpnp::detail::Pose;
 using cv::gmlpnp::detail::Vector3d;
 using Eigen::Matrix2d;
 
+/** 95 % quantile of chi-squared with 6 degrees of freedom: of the squared deviation of a true pose. */
+constexpr double CHI2_6_95 = 12.591587;
+
+Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec);
+
 Vector3d gaussian3(cv::RNG& rng);
 Matrix3d randomRotation(cv::RNG& rng);
 /** Random symmetric positive definite matrix with standard deviations up to `sigma`, as in the paper: one is sigma. */
