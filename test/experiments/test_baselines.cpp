@@ -131,7 +131,7 @@ std::vector<Named> allSolvers()
 class Baselines : public testing::TestWithParam<Named>
 {};
 
-TEST_P(Baselines, AreExactOnExactData)
+TEST_P(Baselines, areExactOnExactData)
 {
     for (const bool flat : {false, true}) {
         if (flat && !GetParam().planar)
@@ -149,7 +149,7 @@ TEST_P(Baselines, AreExactOnExactData)
 }
 
 // Little noise, small errors: 1 px and 1 cm at 6 m are about 2 mrad, over the root of 60 points, times the geometry.
-TEST_P(Baselines, AreCloseOnSlightlyNoisyData)
+TEST_P(Baselines, areCloseOnSlightlyNoisyData)
 {
     for (int k = 0; k < 50; ++k) {
         SCOPED_TRACE(testing::Message() << "scene " << k);
@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(All, Baselines, testing::ValuesIn(allSolvers()),
                          [](const auto& named) { return std::string(named.param.name); });
 
 // PPnP's cost is the sum of squared distances from the rays, which GMLPnP* minimises for isotropic object noise.
-TEST(Ppnp, ConvergesToTheMinimumOfItsCost)
+TEST(Ppnp, convergesToTheMinimumOfItsCost)
 {
     cv::gmlpnp::Params params;
     params.method = cv::gmlpnp::SOLVEPNP_GMLPNP;
@@ -186,7 +186,7 @@ TEST(Ppnp, ConvergesToTheMinimumOfItsCost)
 }
 
 // Weights in the wrong frame would do harm: they are strongly anisotropic here.
-TEST(Mlpnp, CovariancesInTheCameraFrameHelp)
+TEST(Mlpnp, covariancesInTheCameraFrameHelp)
 {
     const std::vector<Errors> errors = meanErrors(
         {[](const Scene& s, const Data& d) { return mlpnp(d, rayCovariancesOf(s, d)); },
@@ -205,7 +205,7 @@ TEST(Mlpnp, CovariancesInTheCameraFrameHelp)
 }
 
 // A plane that noise has thickened has no exact planar solution, and leaves the general one undetermined.
-TEST(Mlpnp, SolvesNoisyPlanes)
+TEST(Mlpnp, solvesNoisyPlanes)
 {
     for (int k = 0; k < 50; ++k) {
         SCOPED_TRACE(k);
@@ -235,7 +235,7 @@ std::function<Scene(cv::RNG&)> isotropicPixels(int n, double px)
 
 // The closed form alone: sixteen times the points give a quarter of the error; without the elimination of the bias the
 // translation ends at its bias.
-TEST(Cpnp, IsConsistentByItsEliminationOfBias)
+TEST(Cpnp, isConsistentByItsEliminationOfBias)
 {
     const Solver eliminated = [](const Scene&, const Data& d) { return cpnp(d, {true, 0}); };
     const Solver plain = [](const Scene&, const Data& d) { return cpnp(d, {false, 0}); };
@@ -247,7 +247,7 @@ TEST(Cpnp, IsConsistentByItsEliminationOfBias)
     EXPECT_LT(many[0].translation, 0.6 * many[1].translation);
 }
 
-TEST(Cpnp, OneStepOfGaussNewtonReachesTheMinimum)
+TEST(Cpnp, oneStepOfGaussNewtonReachesTheMinimum)
 {
     const std::vector<Errors> errors = meanErrors({[](const Scene&, const Data& d) {
                                                        return cpnp(d, {true, 0});
@@ -264,14 +264,14 @@ TEST(Cpnp, OneStepOfGaussNewtonReachesTheMinimum)
     EXPECT_NEAR(errors[1].translation / errors[2].translation, 1, 0.02);
 }
 
-TEST(Cpnp, HasNoPoseForPlanes)
+TEST(Cpnp, hasNoPoseForPlanes)
 {
     cv::RNG rng(1);
     EXPECT_FALSE(cpnp(dataOf(synthetic::exactScene(rng, synthetic::boxPoints(rng, 30, true)))));
 }
 
 // Of 100 points some get pixels anywhere in the picture.
-TEST(Reppnp, SurvivesOutliers)
+TEST(Reppnp, survivesOutliers)
 {
     for (const int outliers : {0, 10, 30}) {
         const auto draw = [outliers](cv::RNG& rng) {
@@ -315,7 +315,7 @@ Uncertainty unequalUncertainty(int n)
     return uncertainty;
 }
 
-TEST(Epnpu, UncertaintiesImproveOnEpnp)
+TEST(Epnpu, uncertaintiesImproveOnEpnp)
 {
     const std::vector<Errors> unequal =
         meanErrors({[](const Scene&, const Data& d) { return epnpu(d, unequalUncertainty(d.size())); },
@@ -331,7 +331,7 @@ TEST(Epnpu, UncertaintiesImproveOnEpnp)
     EXPECT_LT(paper[0].translation, 0.9 * paper[1].translation);
 }
 
-TEST(Dlsu, UncertaintiesImproveOnDls)
+TEST(Dlsu, uncertaintiesImproveOnDls)
 {
     const std::vector<Errors> unequal =
         meanErrors({[](const Scene&, const Data& d) { return dlsu(d, unequalUncertainty(d.size())); },
@@ -349,7 +349,7 @@ TEST(Dlsu, UncertaintiesImproveOnDls)
 
 // OpenCV's EPnP is another implementation of the same paper. Both sort their candidates differently, so not each pose
 // is the same, but the errors are.
-TEST(Epnp, IsAsGoodAsOpenCV)
+TEST(Epnp, isAsGoodAsOpenCV)
 {
     const std::vector<Errors> errors =
         meanErrors({[](const Scene&, const Data& d) { return epnp(d); },
@@ -365,7 +365,7 @@ TEST(Epnp, IsAsGoodAsOpenCV)
 }
 
 // Cubics with 27 known real roots: products of three planes in each variable.
-TEST(PolynomialSystem, FindsAllRoots)
+TEST(PolynomialSystem, findsAllRoots)
 {
     const auto x = [](int k) { return Polynomial::variable(k); };
     const auto c = [](double value) { return Polynomial::constant(value); };

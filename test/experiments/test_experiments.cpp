@@ -17,7 +17,7 @@ namespace {
 
 using namespace experiments;
 
-TEST(Statistics, IntervalsOfTheMeanHoldItInNineteenOfTwenty)
+TEST(Statistics, intervalsOfTheMeanHoldItInNineteenOfTwenty)
 {
     constexpr int REPETITIONS = 400, TRIALS = 100;
     const Bootstrap bootstrap(TRIALS);
@@ -39,7 +39,7 @@ TEST(Statistics, IntervalsOfTheMeanHoldItInNineteenOfTwenty)
     EXPECT_NEAR(ratio, 0.945 * REPETITIONS, 4 * std::sqrt(0.05 * 0.95 * REPETITIONS));
 }
 
-TEST(Statistics, WhatIsNotANumberIsLeftOut)
+TEST(Statistics, whatIsNotANumberIsLeftOut)
 {
     const double none = std::numeric_limits<double>::quiet_NaN();
     const Bootstrap bootstrap(3);
@@ -53,7 +53,7 @@ TEST(Statistics, WhatIsNotANumberIsLeftOut)
 }
 
 // Newcombe 1998, table I: 81 of 263 and 0 of 20.
-TEST(Statistics, ShareHasWilsonsInterval)
+TEST(Statistics, shareHasWilsonsInterval)
 {
     const Interval some = share(81, 263), no = share(0, 20);
     EXPECT_NEAR(some.low, 0.2553, 5e-5);
@@ -62,7 +62,7 @@ TEST(Statistics, ShareHasWilsonsInterval)
     EXPECT_NEAR(no.high, 0.1611, 5e-5);
 }
 
-TEST(Trials, AreCalledOnceEachAndThrowToTheCaller)
+TEST(Trials, areCalledOnceEachAndThrowToTheCaller)
 {
     Progress progress("test", 2000);
     std::vector<std::atomic<int>> calls(1000);
@@ -77,7 +77,7 @@ TEST(Trials, AreCalledOnceEachAndThrowToTheCaller)
 }
 
 // Uniform numbers of neighbouring trials are not neighbours: their mean, and the correlation of one with the next.
-TEST(Trials, HaveIndependentGenerators)
+TEST(Trials, haveIndependentGenerators)
 {
     constexpr int COUNT = 10000;
     double sum = 0, product = 0, last = 0;
@@ -116,7 +116,7 @@ void expectTrueCovariances(const cv::Ptr<cv::gmlpnp::CameraModel>& camera, const
     EXPECT_LT((covariance - given).norm(), 0.05 * given.norm()) << covariance << "\n\n" << given;
 }
 
-TEST(Problem, RayCovariancesAreThoseOfTheNoise)
+TEST(Problem, rayCovariancesAreThoseOfTheNoise)
 {
     expectTrueCovariances(pinhole(), {1.5, -1, 5}, 0.1, 0.01);
     expectTrueCovariances(pinhole(), {1.5, -1, 5}, 0.001, 3);
@@ -125,7 +125,7 @@ TEST(Problem, RayCovariancesAreThoseOfTheNoise)
 }
 
 // GMLPnP* is told the true noise of points and pixels: then the covariance of its pose must be true, too.
-TEST(Solvers, TrueNoiseIsGivenInTheRightFrame)
+TEST(Solvers, trueNoiseIsGivenInTheRightFrame)
 {
     constexpr int TRIALS = 400;
     for (const Draw& draw :
@@ -144,7 +144,7 @@ TEST(Solvers, TrueNoiseIsGivenInTheRightFrame)
     }
 }
 
-TEST(Solvers, EveryOneSolvesTheProblemsThatItCan)
+TEST(Solvers, everyOneSolvesTheProblemsThatItCan)
 {
     cv::RNG rng(1);
     const Problem seen = paperProblem(40, 0.01, 0.1)(rng), wide = wideProblem(40, 0.01, 0.1)(rng);

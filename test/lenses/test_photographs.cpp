@@ -145,7 +145,7 @@ int beyondRightAngle(const View& view, const samples::Tracks& tracks)
 class Photographs : public testing::TestWithParam<const char*>
 {};
 
-TEST_P(Photographs, GiveTheSameMotionThroughAFisheyeLens)
+TEST_P(Photographs, giveTheSameMotionThroughAFisheyeLens)
 {
     const std::string motionFile = opencv_test::dataFile(kRoot + "/pseudo_velo_motion.txt");
     if (motionFile.empty())

@@ -129,7 +129,7 @@ Case read(std::istream& in)
     return expected;
 }
 
-TEST(Agreement, WithThePosesOfOtherBuilds)
+TEST(Agreement, withThePosesOfOtherBuilds)
 {
     std::ifstream file(fileName());
     double worst = 0;

@@ -25,7 +25,7 @@ Settings small()
 
 // The aims of doc/reliability.md; and a sweep that finds nothing is worth what its eyes are worth: OpenCV's solvers
 // fail on the same problems.
-TEST(Reliability, AFewThousandProblems)
+TEST(Reliability, aFewThousandProblems)
 {
     const Sweep found = sweep(small());
     long badPoses = 0, refused = 0;
@@ -56,7 +56,7 @@ TEST(Reliability, AFewThousandProblems)
 
 // Found by the sweep: one kind of noise led nowhere, and the covariance of a success was not a number (seeds 4 and 6);
 // the object noise of the published method collapsed, and its least variance was negative by rounding (seed 9).
-TEST(Reliability, NoSuccessWithoutItsCovariances)
+TEST(Reliability, noSuccessWithoutItsCovariances)
 {
     constexpr int FOUND[][2] = {{4, 10085},  {4, 11905},  {6, 17097},  {9, 35716},
                                 {9, 109481}, {9, 216066}, {9, 904747}, {9, 995646}};  // seed, index
@@ -69,7 +69,7 @@ TEST(Reliability, NoSuccessWithoutItsCovariances)
 }
 
 // Found by the sweep: anisotropic noise makes another minimum of isotropic noise the best by up to 2.2 times.
-TEST(Reliability, TheBestMinimumMayCostMoreWithIsotropicNoise)
+TEST(Reliability, theBestMinimumMayCostMoreWithIsotropicNoise)
 {
     constexpr int FOUND[][2] = {{1, 4072}, {2, 8872}, {2, 9770}, {2, 18764}, {2, 92584}, {10, 99854}};  // seed, index
     for (const auto& found : FOUND) {
@@ -82,7 +82,7 @@ TEST(Reliability, TheBestMinimumMayCostMoreWithIsotropicNoise)
 
 // By rays, with all that rounds differently then. Of two exact poses the order may choose one: three places are not
 // solvable, and a guess that is wrong not either.
-TEST(Reliability, TheOrderOfThePointsDoesNotMatter)
+TEST(Reliability, theOrderOfThePointsDoesNotMatter)
 {
     constexpr int SEED = 3, PROBLEMS = 100000;
     cv::RNG rng(1);
@@ -103,7 +103,7 @@ TEST(Reliability, TheOrderOfThePointsDoesNotMatter)
 }
 
 // The worst of the sweep, found by the build for ThreadSanitizer: a rod 2000 times as long as thick, 80 lengths away.
-TEST(Reliability, TheOrderOfARodMovesItByLessThanAThousandthOfADeviation)
+TEST(Reliability, theOrderOfARodMovesItByLessThanAThousandthOfADeviation)
 {
     constexpr int SEED = 3, INDEX = 84809, ORDERS = 30;
     const Problem problem = randomProblem(SEED, INDEX);
@@ -117,7 +117,7 @@ TEST(Reliability, TheOrderOfARodMovesItByLessThanAThousandthOfADeviation)
                   roundingBound(problem));
 }
 
-TEST(Reliability, ProblemsAreWhatTheySay)
+TEST(Reliability, problemsAreWhatTheySay)
 {
     std::vector<int> shapes(SHAPES, 0);
     int solvable = 0, corrupt = 0, guesses = 0;
@@ -141,7 +141,7 @@ TEST(Reliability, ProblemsAreWhatTheySay)
 }
 
 // Exact data of a solvable problem: the truth explains every point.
-TEST(Reliability, TheTruthIsThePose)
+TEST(Reliability, theTruthIsThePose)
 {
     for (int index = 0; index < 2000; ++index) {
         const Problem problem = randomProblem(1, index);

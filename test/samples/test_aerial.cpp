@@ -27,7 +27,7 @@ std::string written(const std::string& name, const std::string& text)
     return path;
 }
 
-TEST(ExteriorOrientation, ReadsBothKindsOfTables)
+TEST(ExteriorOrientation, readsBothKindsOfTables)
 {
     const auto commas = readOrientations(written("commas.csv",
                                                  "filename,x,y,z,omega,phi,kappa\n"
@@ -42,7 +42,7 @@ TEST(ExteriorOrientation, ReadsBothKindsOfTables)
     EXPECT_LT(cv::norm(quoted.at("IMG_1").t - commas.at("IMG_1").t), 1e-9);
 }
 
-TEST(ExteriorOrientation, RefusesOtherTables)
+TEST(ExteriorOrientation, refusesOtherTables)
 {
     EXPECT_THROW(readOrientations("nowhere.csv"), std::runtime_error);
     EXPECT_THROW(readOrientations(written("empty.csv", "filename,x,y,z,omega,phi,kappa\n")), std::runtime_error);
@@ -53,7 +53,7 @@ TEST(ExteriorOrientation, RefusesOtherTables)
                  std::runtime_error);
 }
 
-TEST(ExteriorOrientation, AttitudeIsThatOfAnAircraft)
+TEST(ExteriorOrientation, attitudeIsThatOfAnAircraft)
 {
     // Looking straight down with the image's top to the north: all angles zero.
     EXPECT_LT(cv::norm(rollPitchYaw(poseFromOmegaPhiKappa({}, {}))), 1e-12);
@@ -72,7 +72,7 @@ TEST(ExteriorOrientation, AttitudeIsThatOfAnAircraft)
 }
 
 //! The poses that come with the correspondences were written by another program.
-TEST(ExteriorOrientation, AgreesWithThePosesOfTheCorrespondences)
+TEST(ExteriorOrientation, agreesWithThePosesOfTheCorrespondences)
 {
     const char* const variable = std::getenv("GMLPNP_DATA");
     const std::string root = std::string(variable ? variable : GMLPNP_DATA_DEFAULT);
@@ -94,7 +94,7 @@ TEST(ExteriorOrientation, AgreesWithThePosesOfTheCorrespondences)
     }
 }
 
-TEST(PixelMatches, ReadsRowsAndNothingElse)
+TEST(PixelMatches, readsRowsAndNothingElse)
 {
     const PixelMatches matches =
         readMatches(written("matches.txt", "# u v u' v'\n\n1 2 3.5 4 0.9\n-1 -2 -3 -4 # no confidence\n"));
@@ -117,7 +117,7 @@ cv::Mat pattern()
 }
 
 //! A picture turned upside down: any shift of the features shows twice.
-TEST(PixelMatches, SiftLiesWhereThePictureIs)
+TEST(PixelMatches, siftLiesWhereThePictureIs)
 {
     cv::Mat turned;
     cv::rotate(pattern(), turned, cv::ROTATE_180);
@@ -133,7 +133,7 @@ TEST(PixelMatches, SiftLiesWhereThePictureIs)
     EXPECT_LT(std::abs(median(y)), 0.1);
 }
 
-TEST(PixelMatches, SiftStaysInsideTheMask)
+TEST(PixelMatches, siftStaysInsideTheMask)
 {
     cv::Mat mask = cv::Mat::zeros(400, 500, CV_8U);
     mask(cv::Rect(100, 100, 200, 200)).setTo(255);

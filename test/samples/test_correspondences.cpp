@@ -39,7 +39,7 @@ std::string complaint(const std::string& text)
     }
 }
 
-TEST(Correspondences, ReadsHeaderAndRows)
+TEST(Correspondences, readsHeaderAndRows)
 {
     const CorrespondenceSet set = readCorrespondences(
         fileWith(std::string(kHead) +
@@ -60,7 +60,7 @@ TEST(Correspondences, ReadsHeaderAndRows)
     EXPECT_EQ(set.imagePoints[3], cv::Point2d(7, 8.25));
 }
 
-TEST(Correspondences, ReadsWindowsLinesBlankLinesAndMissingLastNewline)
+TEST(Correspondences, readsWindowsLinesBlankLinesAndMissingLastNewline)
 {
     const CorrespondenceSet set = readCorrespondences(fileWith(
         "#fx fy cx cy 500 510 320 240\r\n\r\n  \t\r\n# dist\r\n1 2 3 4 5\r\n\t1 2 3 4 5 \r\n1 2 3 4 5\n\n1 2 3 4 5"));
@@ -69,7 +69,7 @@ TEST(Correspondences, ReadsWindowsLinesBlankLinesAndMissingLastNewline)
     EXPECT_FALSE(set.hasTruth);
 }
 
-TEST(Correspondences, ReadsTheCameraInTheWorldAtMapCoordinates)
+TEST(Correspondences, readsTheCameraInTheWorldAtMapCoordinates)
 {
     const CorrespondenceSet set = readCorrespondences(
         fileWith(std::string(kHead) +
@@ -82,7 +82,7 @@ TEST(Correspondences, ReadsTheCameraInTheWorldAtMapCoordinates)
     EXPECT_EQ(set.objectPoints[0], cv::Point3d(292771.2402, 2731063.8133, 96.4427));
 }
 
-TEST(Correspondences, NamesTheLineOfEveryMistake)
+TEST(Correspondences, namesTheLineOfEveryMistake)
 {
     const std::string head = kHead, rows = kRows, good = head + rows;
     const auto expect = [](const std::string& text, const std::string& start) {
@@ -119,7 +119,7 @@ TEST(Correspondences, NamesTheLineOfEveryMistake)
     expect(good + "# true_camera_centre 0 0 0\n# true_R_world_from_camera 2 0 0 0 1 0 0 0 1\n", "7: true_R_world");
 }
 
-TEST(Correspondences, MissingFilesAndFoldersAreErrors)
+TEST(Correspondences, missingFilesAndFoldersAreErrors)
 {
     EXPECT_THROW(readCorrespondences(::testing::TempDir() + "no/such/file.txt"), std::runtime_error);
     EXPECT_THROW(readCorrespondences(::testing::TempDir()), std::runtime_error);
@@ -127,7 +127,7 @@ TEST(Correspondences, MissingFilesAndFoldersAreErrors)
                  std::runtime_error);
 }
 
-TEST(Correspondences, WritesWhatItReads)
+TEST(Correspondences, writesWhatItReads)
 {
     CorrespondenceSet set;
     set.cameraMatrix = cv::Matx33d(517.3, 0, 318.6, 0, 516.5, 255.3, 0, 0, 1);
@@ -156,7 +156,7 @@ TEST(Correspondences, WritesWhatItReads)
     EXPECT_EQ(again.imagePoints, set.imagePoints);
 }
 
-TEST(Correspondences, SurvivesDamagedFiles)
+TEST(Correspondences, survivesDamagedFiles)
 {
     std::ifstream stream(SAMPLES_DATA "/freiburg1_rpy_1305031231.126.txt");
     const std::string good((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
@@ -173,7 +173,7 @@ TEST(Correspondences, SurvivesDamagedFiles)
     EXPECT_GT(refused, 100);
 }
 
-TEST(Correspondences, NameIsTheFilesWithoutFolderAndExtension)
+TEST(Correspondences, nameIsTheFilesWithoutFolderAndExtension)
 {
     CorrespondenceSet set;
     set.path = "a/b.c/name.1.txt";

@@ -75,7 +75,7 @@ cv::Vec2d rejections(const std::function<Disturb()>& noise)
     return share;
 }
 
-TEST(Isotropy, ResidualsLieAcrossTheirRays)
+TEST(Isotropy, residualsLieAcrossTheirRays)
 {
     const auto residuals = residualsWith(heavyTailed, 1);
     ASSERT_EQ(residuals.size(), kPairs * kPoints);
@@ -89,7 +89,7 @@ TEST(Isotropy, ResidualsLieAcrossTheirRays)
         EXPECT_LT(cv::norm(r.object), 1e-12);
 }
 
-TEST(Isotropy, TheResidualIsTheShortestWayToTheRay)
+TEST(Isotropy, theResidualIsTheShortestWayToTheRay)
 {
     CorrespondenceSet set;
     set.truth.t = cv::Vec3d(0.0, 0.0, 1.0);
@@ -103,7 +103,7 @@ TEST(Isotropy, TheResidualIsTheShortestWayToTheRay)
     EXPECT_NEAR(residuals[0].depth, 2.0, 1e-15);
 }
 
-TEST(Isotropy, RejectsIsotropicNoiseNoOftenerThanItSays)
+TEST(Isotropy, rejectsIsotropicNoiseNoOftenerThanItSays)
 {
     const cv::Vec2d share = rejections([] { return Disturb(heavyTailed); });
     for (int i = 0; i < 2; ++i) {  // 10 % of 100 scenes, 3.3 standard errors
@@ -112,14 +112,14 @@ TEST(Isotropy, RejectsIsotropicNoiseNoOftenerThanItSays)
     }
 }
 
-TEST(Isotropy, PairsThatShareAnErrorFoolOnlyTheTestOfPoints)
+TEST(Isotropy, pairsThatShareAnErrorFoolOnlyTheTestOfPoints)
 {
     const cv::Vec2d share = rejections(sharedByPair);
     EXPECT_GT(share[0], 0.8);
     EXPECT_LT(share[1], 0.2);
 }
 
-TEST(Isotropy, FindsTheDirectionOfTheNoise)
+TEST(Isotropy, findsTheDirectionOfTheNoise)
 {
     const auto noise = [](cv::RNG& random, size_t) { return cv::Vec3d(random.gaussian(0.03), 0.0, 0.0); };
     const Isotropy test = testIsotropy(residualsWith(noise, 3), 3);
@@ -129,7 +129,7 @@ TEST(Isotropy, FindsTheDirectionOfTheNoise)
     EXPECT_GT(test.distance, 0.3);
 }
 
-TEST(Isotropy, NeedsResiduals)
+TEST(Isotropy, needsResiduals)
 {
     EXPECT_THROW(testIsotropy({}, 1), std::runtime_error);
 }

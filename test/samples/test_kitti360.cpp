@@ -61,7 +61,7 @@ void expectEqual(const Pose& a, const Pose& b, double tolerance)
     EXPECT_LT(cv::norm(a.t - b.t), tolerance);
 }
 
-TEST(Kitti360, CamerasStandWhereTheCalibrationSays)
+TEST(Kitti360, camerasStandWhereTheCalibrationSays)
 {
     const std::string root = writeCalibration();
     const KittiCamera pinhole = readKittiCamera(root, "00"), fisheye = readKittiCamera(root, "02");
@@ -76,7 +76,7 @@ TEST(Kitti360, CamerasStandWhereTheCalibrationSays)
                 1e-9);
 }
 
-TEST(Kitti360, PosesAndLidarMotionTellTheSame)
+TEST(Kitti360, posesAndLidarMotionTellTheSame)
 {
     const std::string root = writeCalibration(), poses = root + "/poses.txt", steps = root + "/motion.txt";
     const KittiCamera camera = readKittiCamera(root, "02");
@@ -103,7 +103,7 @@ TEST(Kitti360, PosesAndLidarMotionTellTheSame)
     EXPECT_FALSE(trueMotion(bySteps, camera, 9, 12, a));
 }
 
-TEST(Kitti360, ATurnedCameraSeesTheSamePlace)
+TEST(Kitti360, aTurnedCameraSeesTheSamePlace)
 {
     const std::string root = writeCalibration();
     const KittiCamera pinhole = readKittiCamera(root, "00"), fisheye = readKittiCamera(root, "02");
@@ -114,7 +114,7 @@ TEST(Kitti360, ATurnedCameraSeesTheSamePlace)
     EXPECT_EQ(camera.size, fisheye.size);
 }
 
-TEST(Kitti360, RefusesWhatItCannotRead)
+TEST(Kitti360, refusesWhatItCannotRead)
 {
     const std::string root = writeCalibration();
     EXPECT_THROW(readKittiCamera(root, "04"), std::runtime_error);
@@ -134,7 +134,7 @@ TEST(Kitti360, RefusesWhatItCannotRead)
     EXPECT_THROW(kittiDrives(root), std::runtime_error);
 }
 
-TEST(Kitti360, RefusesPicturesOfNoSize)
+TEST(Kitti360, refusesPicturesOfNoSize)
 {
     for (const char* const size : {"0 376", "1408 -376", "1e300 376", "1408 0.2"}) {
         const std::string root = writeCalibration();
@@ -144,7 +144,7 @@ TEST(Kitti360, RefusesPicturesOfNoSize)
     }
 }
 
-TEST(Kitti360, LeavesOutPointsThatAreNotFinite)
+TEST(Kitti360, leavesOutPointsThatAreNotFinite)
 {
     const std::string root = writeCalibration();
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
@@ -153,7 +153,7 @@ TEST(Kitti360, LeavesOutPointsThatAreNotFinite)
     EXPECT_EQ(readScan(root + "/scan.bin", readKittiCamera(root, "00")).size(), 2u);
 }
 
-TEST(Kitti360, FramesAreFilesWhoseNameIsANumber)
+TEST(Kitti360, framesAreFilesWhoseNameIsANumber)
 {
     const std::string root = writeCalibration(), folder = root + "/data_3d_raw/drive/velodyne_points/data/";
     std::filesystem::create_directories(folder);
@@ -163,7 +163,7 @@ TEST(Kitti360, FramesAreFilesWhoseNameIsANumber)
 }
 
 //! The rectified stereo pair: its baseline stands in the projection matrix too, a second way to the same number.
-TEST(Kitti360, TheRealCalibrationAgreesWithItsBaseline)
+TEST(Kitti360, theRealCalibrationAgreesWithItsBaseline)
 {
     const char* const variable = std::getenv("GMLPNP_DATA");
     const std::string root = std::string(variable ? variable : GMLPNP_DATA_DEFAULT) + "/kitti360";
@@ -185,7 +185,7 @@ cv::Mat patternShiftedBy(int pixels)
     return pattern(cv::Rect(30 - pixels, 0, 500, 300)).clone();
 }
 
-TEST(LidarTracking, FindsWhatMovedAndOnlyWhatIsSeen)
+TEST(LidarTracking, findsWhatMovedAndOnlyWhatIsSeen)
 {
     const auto lens = CameraModel::pinhole(cv::Matx33d(250, 0, 250, 0, 250, 150, 0, 0, 1), cv::noArray());
     const cv::Mat mask = seenPixels(*lens, {500, 300}, 180.0, 20);
@@ -216,14 +216,14 @@ TEST(LidarTracking, FindsWhatMovedAndOnlyWhatIsSeen)
     EXPECT_TRUE(trackPoints({}, {patternShiftedBy(0), patternShiftedBy(6)}, *lens, mask, {}).points.empty());
 }
 
-TEST(LidarTracking, TheFieldOfALensIsAboutItsAxis)
+TEST(LidarTracking, theFieldOfALensIsAboutItsAxis)
 {
     const auto lens = CameraModel::fisheye(cv::Matx33d(100, 0, 200, 0, 100, 200, 0, 0, 1), cv::noArray());
     const double radius = std::sqrt(cv::countNonZero(seenPixels(*lens, {401, 401}, 120.0, 0)) / CV_PI);
     EXPECT_NEAR(radius, 100.0 * CV_PI / 3.0, 0.5);  // an equidistant lens
 }
 
-TEST(Resampling, APictureThroughItsOwnLensIsItself)
+TEST(Resampling, aPictureThroughItsOwnLensIsItself)
 {
     const auto lens = CameraModel::pinhole(cv::Matx33d(250, 0, 250, 0, 250, 150, 0, 0, 1), cv::noArray());
     const cv::Mat photograph = patternShiftedBy(0);

@@ -55,14 +55,14 @@ cv::Ptr<CameraModel> camera()
     return CameraModel::pinhole(cv::Matx33d(500, 0, 320, 0, 500, 240, 0, 0, 1), cv::noArray());
 }
 
-TEST(GeoTransform, IsInvertible)
+TEST(GeoTransform, isInvertible)
 {
     const GeoTransform geo{cv::Matx23d(3.0, 0.5, 100.0, 0.25, -4.0, 200.0)};
     EXPECT_LT(cv::norm(geo.pixel(geo.map({17.0, 5.5})) - cv::Point2d(17.0, 5.5)), 1e-12);
     EXPECT_NEAR(geo.resolution(), std::sqrt(12.125), 1e-12);
 }
 
-TEST(Terrain, IsExactOnAPlaneAndUnknownBesideIt)
+TEST(Terrain, isExactOnAPlaneAndUnknownBesideIt)
 {
     Raster plane = waves();
     for (int y = 0; y < 200; ++y)
@@ -79,7 +79,7 @@ TEST(Terrain, IsExactOnAPlaneAndUnknownBesideIt)
     EXPECT_THROW(Terrain{plane}, std::runtime_error);
 }
 
-TEST(Terrain, RaysMeetTheGroundTheySee)
+TEST(Terrain, raysMeetTheGroundTheySee)
 {
     const Terrain terrain(waves());
     const cv::Vec3d eye(kOrigin.x + 900.0, kOrigin.y - 1000.0, 700.0);
@@ -100,7 +100,7 @@ TEST(Terrain, RaysMeetTheGroundTheySee)
     EXPECT_FALSE(terrain.meet(eye, {1.0, 0.0, -0.05}, ground)) << "leaves the map above the ground";
 }
 
-TEST(Terrain, WhatIsBehindAHillIsHidden)
+TEST(Terrain, whatIsBehindAHillIsHidden)
 {
     Raster step = waves();
     step.values.setTo(0.0);
@@ -114,7 +114,7 @@ TEST(Terrain, WhatIsBehindAHillIsHidden)
     EXPECT_GT(ground[2], 1.0);
 }
 
-TEST(Terrain, LongRaysAndStrangeCellsEnd)
+TEST(Terrain, longRaysAndStrangeCellsEnd)
 {
     Raster raster = waves();
     const Terrain terrain(raster);
@@ -135,7 +135,7 @@ TEST(Terrain, LongRaysAndStrangeCellsEnd)
     EXPECT_THROW(Terrain{raster}, std::runtime_error);
 }
 
-TEST(Reference, OrthophotoAndPhotographAgree)
+TEST(Reference, orthophotoAndPhotographAgree)
 {
     const std::string folder = ::testing::TempDir();
     const Raster elevations = waves();
@@ -176,7 +176,7 @@ TEST(Reference, OrthophotoAndPhotographAgree)
 }
 
 //! A ramp of elevations in degrees: the map becomes the UTM zone there, and places keep their elevations.
-TEST(Raster, InDegreesIsWarpedIntoUtm)
+TEST(Raster, inDegreesIsWarpedIntoUtm)
 {
     Raster ramp;
     ramp.geo.mapFromPixel = cv::Matx23d(1e-3, 0.0, 120.9, 0.0, -1e-3, 24.7);
@@ -200,7 +200,7 @@ TEST(Raster, InDegreesIsWarpedIntoUtm)
 }
 
 // A sparse file may have any size; what a header says is no reason to take the memory for it.
-TEST(Raster, OfMorePixelsThanItsFileHoldsIsRefused)
+TEST(Raster, ofMorePixelsThanItsFileHoldsIsRefused)
 {
     const std::string path = ::testing::TempDir() + "gmlpnp_empty.tif";
     GDALAllRegister();
@@ -214,7 +214,7 @@ TEST(Raster, OfMorePixelsThanItsFileHoldsIsRefused)
     EXPECT_THROW(readOrthophoto(path, kSystem), std::runtime_error);
 }
 
-TEST(Raster, OfAnotherSystemIsWarpedIntoTheMaps)
+TEST(Raster, ofAnotherSystemIsWarpedIntoTheMaps)
 {
     const char* const variable = std::getenv("GMLPNP_DATA");
     const std::string root = variable ? variable : GMLPNP_DATA_DEFAULT;
@@ -234,7 +234,7 @@ TEST(Raster, OfAnotherSystemIsWarpedIntoTheMaps)
     EXPECT_THROW(readElevation(root + "/README.md", own), std::runtime_error);
 }
 
-TEST(Localization, CovarianceMeasuresTheTruthsDistance)
+TEST(Localization, covarianceMeasuresTheTruthsDistance)
 {
     Localization found;
     found.covariance = cv::Matx33d::diag(cv::Vec3d(4.0, 1.0, 9.0));

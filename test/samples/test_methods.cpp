@@ -57,7 +57,7 @@ Estimate estimateBy(const char* name, const CorrespondenceSet& set)
     return {};
 }
 
-TEST(Methods, AllSolveThroughALensWithinItsFrontHalf)
+TEST(Methods, allSolveThroughALensWithinItsFrontHalf)
 {
     const CorrespondenceSet set = sceneThrough(fisheye(), 1.2, 0.3);
     for (const Method& method : comparedMethods()) {
@@ -68,14 +68,14 @@ TEST(Methods, AllSolveThroughALensWithinItsFrontHalf)
     }
 }
 
-TEST(Methods, BeyondARightAngleOnlyThoseThatCan)
+TEST(Methods, beyondARightAngleOnlyThoseThatCan)
 {
     const CorrespondenceSet set = sceneThrough(fisheye(), 1.75, 0.3);
     for (const Method& method : comparedMethods())
         EXPECT_EQ(estimatePose(set, method, 1).solved, method.flag >= cv::gmlpnp::SOLVEPNP_GMLPNP) << method.name;
 }
 
-TEST(Methods, APinholeGivenAsALensIsAPinhole)
+TEST(Methods, aPinholeGivenAsALensIsAPinhole)
 {
     CorrespondenceSet set =
         sceneThrough(CameraModel::pinhole(cv::Matx33d(500, 0, 320, 0, 500, 240, 0, 0, 1)), 0.5, 0.5);
@@ -104,7 +104,7 @@ double costOf(const CorrespondenceSet& set, const Pose& pose, bool angles)
 }
 
 //! The two references without estimated noise must be where their own costs are least.
-TEST(Methods, ReferencesMinimiseTheirOwnCosts)
+TEST(Methods, referencesMinimiseTheirOwnCosts)
 {
     const CorrespondenceSet set = sceneThrough(fisheye(), 1.2, 2.0);
     for (const bool angles : {false, true}) {
@@ -121,7 +121,7 @@ TEST(Methods, ReferencesMinimiseTheirOwnCosts)
     }
 }
 
-TEST(Outliers, AreRejectedThroughPinholeAndLens)
+TEST(Outliers, areRejectedThroughPinholeAndLens)
 {
     CorrespondenceSet lens = sceneThrough(fisheye(), 1.2, 0.3);
     CorrespondenceSet pinhole =
@@ -140,7 +140,7 @@ TEST(Outliers, AreRejectedThroughPinholeAndLens)
     }
 }
 
-TEST(Outliers, AFewThatAgreeAreNoConsensus)
+TEST(Outliers, aFewThatAgreeAreNoConsensus)
 {
     CorrespondenceSet set;
     set.cameraMatrix = cv::Matx33d(500, 0, 320, 0, 500, 240, 0, 0, 1);
@@ -177,7 +177,7 @@ Comparison smallComparison()
     return comparison;
 }
 
-TEST(Comparison, CountsFailuresAndDropsNone)
+TEST(Comparison, countsFailuresAndDropsNone)
 {
     const Comparison comparison = smallComparison();
     EXPECT_EQ(absoluteErrors(comparison, 0, 0), (std::vector<double>{3.0, 5.0}));
@@ -193,7 +193,7 @@ TEST(Comparison, CountsFailuresAndDropsNone)
     EXPECT_NE(differences.str().find("-2.500 | -62.5 |"), std::string::npos) << differences.str();
 }
 
-TEST(Comparison, WritesARowForEveryPairAndMethod)
+TEST(Comparison, writesARowForEveryPairAndMethod)
 {
     const std::string path = ::testing::TempDir() + "gmlpnp_comparison.csv";
     writeComparison(path, smallComparison());
@@ -208,13 +208,13 @@ TEST(Comparison, WritesARowForEveryPairAndMethod)
     EXPECT_THROW(writeComparison(::testing::TempDir() + "missing_folder/x.csv", smallComparison()), std::runtime_error);
 }
 
-TEST(Comparison, PictureShowsTheCurves)
+TEST(Comparison, pictureShowsTheCurves)
 {
     const cv::Mat picture = drawComparison(smallComparison(), "title"), inked = picture != 255;
     EXPECT_GT(cv::countNonZero(inked.reshape(1)), 3000);
 }
 
-TEST(Study, APairWithoutMatchesFailsAndTheStudyGoesOn)
+TEST(Study, aPairWithoutMatchesFailsAndTheStudyGoesOn)
 {
     Study study;
     study.title = "test";

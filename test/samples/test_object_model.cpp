@@ -49,7 +49,7 @@ std::string write(const std::string& model, const std::string& mesh)
 const std::string kPoints = matrix(2, 1, "\"3f\"", "1., 2., 3., 4., 5., 6.5"),
                   kDescriptors = matrix(2, 32, "u", numbers(64));
 
-TEST(ObjectModel, IsPointsWithDescriptorsAndTheCornersOfTheMesh)
+TEST(ObjectModel, isPointsWithDescriptorsAndTheCornersOfTheMesh)
 {
     const ObjectModel model = readObjectModel(write(modelOf(kPoints, kDescriptors), kMesh));
     EXPECT_EQ(model.points, (std::vector<cv::Point3d>{{1, 2, 3}, {4, 5, 6.5}}));
@@ -69,7 +69,7 @@ void expectRefused(const std::string& folder, const std::string& file)
     }
 }
 
-TEST(ObjectModel, RefusesMeshesThatAreNone)
+TEST(ObjectModel, refusesMeshesThatAreNone)
 {
     const std::string model = modelOf(kPoints, kDescriptors);
     for (const char* const vertices : {"0", "3", "1000000000000000000", "-1", "two"})
@@ -78,7 +78,7 @@ TEST(ObjectModel, RefusesMeshesThatAreNone)
     expectRefused(write(model, ""), "box.ply");
 }
 
-TEST(ObjectModel, RefusesModelsThatAreNone)
+TEST(ObjectModel, refusesModelsThatAreNone)
 {
     const std::string models[] = {"",
                                   "%YAML:1.0\n---\nnothing: 1\n",

@@ -56,7 +56,7 @@ void writeHello(std::ostream& out)
     out << "hello\n";
 }
 
-TEST_F(OutputFiles, AppearWholeAndUnderTheirNameOnly)
+TEST_F(OutputFiles, appearWholeAndUnderTheirNameOnly)
 {
     OutputFile out(file.string());
     out.stream() << 1.5 << ",";
@@ -67,7 +67,7 @@ TEST_F(OutputFiles, AppearWholeAndUnderTheirNameOnly)
     EXPECT_EQ(1, files());
 }
 
-TEST_F(OutputFiles, AnErrorLeavesWhatWasThereAndNothingElse)
+TEST_F(OutputFiles, anErrorLeavesWhatWasThereAndNothingElse)
 {
     writeFile(file.string(), writeHello);
     EXPECT_THROW(writeFile(file.string(),
@@ -80,7 +80,7 @@ TEST_F(OutputFiles, AnErrorLeavesWhatWasThereAndNothingElse)
     EXPECT_EQ(1, files());
 }
 
-TEST_F(OutputFiles, UnwritableFoldersAreNamed)
+TEST_F(OutputFiles, unwritableFoldersAreNamed)
 {
     writeFile(file.string(), writeHello);
     const std::string below = (file / "out.csv").string(), nowhere = (folder / "none" / "out.csv").string();
@@ -90,7 +90,7 @@ TEST_F(OutputFiles, UnwritableFoldersAreNamed)
     EXPECT_EQ(1, files());
 }
 
-TEST_F(OutputFiles, AFullDiskIsAnError)
+TEST_F(OutputFiles, aFullDiskIsAnError)
 {
     if (!fs::is_character_file("/dev/full"))
         GTEST_SKIP() << "skipped: no /dev/full here";
@@ -102,7 +102,7 @@ TEST_F(OutputFiles, AFullDiskIsAnError)
     EXPECT_TRUE(fs::is_character_file("/dev/full")) << "a device is not replaced by a file";
 }
 
-TEST_F(OutputFiles, ALinkStaysALink)
+TEST_F(OutputFiles, aLinkStaysALink)
 {
     writeFile(file.string(), writeHello);
     const fs::path link = folder / "link.csv";

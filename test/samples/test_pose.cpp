@@ -12,7 +12,7 @@ namespace {
 
 using namespace samples;
 
-TEST(Pose, RotationErrorIsTheAngleFromTinyToHalfATurn)
+TEST(Pose, rotationErrorIsTheAngleFromTinyToHalfATurn)
 {
     const Pose base = poseFromRotationVector({0.4, -0.3, 1.2}, {1, 2, 3});
     const cv::Vec3d axis = cv::normalize(cv::Vec3d(1, -2, 0.5));
@@ -24,7 +24,7 @@ TEST(Pose, RotationErrorIsTheAngleFromTinyToHalfATurn)
     }
 }
 
-TEST(Pose, PositionErrorDoesNotDependOnTheObjectsOrigin)
+TEST(Pose, positionErrorDoesNotDependOnTheObjectsOrigin)
 {
     const Pose truth = poseFromRotationVector({0.1, 0.2, 0.3}, {1, 2, 3});
     const Pose estimate = poseFromRotationVector({0.1001, 0.2, 0.3}, {1, 2, 3.01});
@@ -38,7 +38,7 @@ TEST(Pose, PositionErrorDoesNotDependOnTheObjectsOrigin)
     EXPECT_GT(cv::norm(movedEstimate.t - movedTruth.t), 100.0);  // why it is not the difference of two t
 }
 
-TEST(Pose, CentreIsWhereTheCameraSeesNoDistance)
+TEST(Pose, centreIsWhereTheCameraSeesNoDistance)
 {
     const Pose pose = poseFromRotationVector({0.7, -0.2, 0.3}, {1, 2, 3});
     EXPECT_LT(cv::norm(pose * pose.centre()), 1e-14);

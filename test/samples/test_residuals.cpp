@@ -64,7 +64,7 @@ CorrespondenceSet sceneOf(const cv::gmlpnp::Result& result, int count, double no
     return set;
 }
 
-TEST(Residuals, VanishForExactData)
+TEST(Residuals, vanishForExactData)
 {
     const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);
     const std::vector<Residual> residuals = residualsOf(sceneOf(result, 30, 0.0), result);
@@ -76,7 +76,7 @@ TEST(Residuals, VanishForExactData)
     }
 }
 
-TEST(Residuals, LeadFromTheRayToTheObjectPoint)
+TEST(Residuals, leadFromTheRayToTheObjectPoint)
 {
     // Also for a Sigma of rank one, where the residual must stay in its range.
     for (const cv::Matx33d& Sigma : {kSigma, cv::Matx33d(1e-4, 0, 0, 0, 0, 0, 0, 0, 0)}) {
@@ -95,7 +95,7 @@ TEST(Residuals, LeadFromTheRayToTheObjectPoint)
     }
 }
 
-TEST(Residuals, NinetyFivePercentOfThemAreInsideForTheTrueNoise)
+TEST(Residuals, ninetyFivePercentOfThemAreInsideForTheTrueNoise)
 {
     const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);
     const std::vector<Residual> residuals = residualsOf(sceneOf(result, 4000, 1.0), result);
@@ -104,7 +104,7 @@ TEST(Residuals, NinetyFivePercentOfThemAreInsideForTheTrueNoise)
     EXPECT_NEAR(share, 0.95, 4.0 * std::sqrt(0.95 * 0.05 / 4000.0));
 }
 
-TEST(Residuals, EllipsesOfTails)
+TEST(Residuals, ellipsesOfTails)
 {
     EXPECT_NEAR(squaredRadiusOf95Percent(0.0), 5.991464547107979, 1e-12);
     EXPECT_NEAR(squaredRadiusOf95Percent(1e-9), 5.991464547107979, 1e-6);
@@ -121,7 +121,7 @@ TEST(Residuals, EllipsesOfTails)
     EXPECT_NEAR(inside / 40000.0, 0.95, 4.0 * std::sqrt(0.95 * 0.05 / 40000.0));
 }
 
-TEST(Residuals, OfAnyCamera)
+TEST(Residuals, ofAnyCamera)
 {
     const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);
     CorrespondenceSet set = sceneOf(result, 30, 0.0);
@@ -135,7 +135,7 @@ TEST(Residuals, OfAnyCamera)
         EXPECT_LT(cv::norm(r.pixels), 1e-9);
 }
 
-TEST(Residuals, BearingNoiseInPixels)
+TEST(Residuals, bearingNoiseInPixels)
 {
     const auto camera =
         cv::gmlpnp::CameraModel::fisheye(cv::Matx33d(300, 0, 320, 0, 200, 240, 0, 0, 1));  // px per rad, any angle
@@ -150,7 +150,7 @@ TEST(Residuals, BearingNoiseInPixels)
     EXPECT_EQ(meanPixelScale(*camera, {}, Gamma).pixelsPerRadian, 0.0);
 }
 
-TEST(ResidualPicture, DrawsWhateverItGets)
+TEST(ResidualPicture, drawsWhateverItGets)
 {
     const LengthUnit unit = shownUnit("m");
     const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);

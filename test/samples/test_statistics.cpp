@@ -34,7 +34,7 @@ double coverage(int length, double rho, int series)
     return static_cast<double>(covered) / series;
 }
 
-TEST(Statistics, IntervalHoldsTheMeanAsOftenAsItSays)
+TEST(Statistics, intervalHoldsTheMeanAsOftenAsItSays)
 {
     // 200 series: 3.3 standard errors of 95 % are 5.1 %.
     EXPECT_GT(coverage(40, 0.0, 200), 0.899);
@@ -43,7 +43,7 @@ TEST(Statistics, IntervalHoldsTheMeanAsOftenAsItSays)
     EXPECT_GT(coverage(100, 0.3, 200), 0.88);
 }
 
-TEST(Statistics, EqualSeedsGiveEqualIntervals)
+TEST(Statistics, equalSeedsGiveEqualIntervals)
 {
     std::vector<double> values;
     for (int i = 0; i < 30; ++i)
@@ -56,7 +56,7 @@ TEST(Statistics, EqualSeedsGiveEqualIntervals)
     EXPECT_GT(a.high, mean(values));
 }
 
-TEST(Statistics, TooFewValuesGiveNone)
+TEST(Statistics, tooFewValuesGiveNone)
 {
     EXPECT_TRUE(std::isnan(bootstrapMean({1.0, 2.0}, 1).low));
     EXPECT_TRUE(std::isnan(mean({})));
@@ -64,7 +64,7 @@ TEST(Statistics, TooFewValuesGiveNone)
     EXPECT_EQ(median({5.0, 1.0, 3.0}), 3.0);
 }
 
-TEST(ProgressBar, EndsFullAndIsSilentWhereNobodyLooks)
+TEST(ProgressBar, endsFullAndIsSilentWhereNobodyLooks)
 {
     std::ostringstream shown, hidden;
     {

@@ -42,7 +42,7 @@ std::string writeSequence(const std::string& colour, const std::string& depth)
     return folder;
 }
 
-TEST(TumRgbd, InterpolatesOnTheGreatArcAndOnlyInsideTheRecording)
+TEST(TumRgbd, interpolatesOnTheGreatArcAndOnlyInsideTheRecording)
 {
     std::vector<TimedPose> truth = {poseAt(0.0), poseAt(0.1), poseAt(0.2), poseAt(0.5)};
     truth[1].quaternion = -truth[1].quaternion;  // the same rotation
@@ -55,7 +55,7 @@ TEST(TumRgbd, InterpolatesOnTheGreatArcAndOnlyInsideTheRecording)
     EXPECT_FALSE(interpolate(truth, 0.3, pose)) << "a gap of 0.3 s";
 }
 
-TEST(TumRgbd, PairsCarryTheMotionBetweenTheirImages)
+TEST(TumRgbd, pairsCarryTheMotionBetweenTheirImages)
 {
     const std::string folder = writeSequence(
         "# colour\n0.4 rgb/c.png\n0.2 rgb/a.png\n0.305 rgb/b.png\n0.7 rgb/d.png\n0.8 rgb/e.png\n0.9 rgb/no_depth.png\n",
@@ -75,7 +75,7 @@ TEST(TumRgbd, PairsCarryTheMotionBetweenTheirImages)
     EXPECT_LT(cv::norm(motion.centre() - centre), 1e-9);
 }
 
-TEST(TumRgbd, DepthIsMetresAndZeroWhereNothingIsMeasured)
+TEST(TumRgbd, depthIsMetresAndZeroWhereNothingIsMeasured)
 {
     cv::Mat depth = cv::Mat::zeros(4, 6, CV_16U);
     depth.at<ushort>(2, 5) = 12500;
@@ -85,7 +85,7 @@ TEST(TumRgbd, DepthIsMetresAndZeroWhereNothingIsMeasured)
     EXPECT_EQ(depthAt(depth, {-3.0f, 2.0f}), 0.0);
 }
 
-TEST(TumRgbd, RefusesRotationsThatAreNone)
+TEST(TumRgbd, refusesRotationsThatAreNone)
 {
     for (const char* const quaternion : {"0 0 0 0", "1e200 0 0 0", "1 0 0"}) {
         const std::string folder = writeSequence("0 a\n", "0 b\n");
@@ -94,7 +94,7 @@ TEST(TumRgbd, RefusesRotationsThatAreNone)
     }
 }
 
-TEST(TumRgbd, RefusesFilesThatAreNoDepthImage)
+TEST(TumRgbd, refusesFilesThatAreNoDepthImage)
 {
     const std::string path = ::testing::TempDir() + "gmlpnp_tum_no_depth.pgm";
     for (const char* const content : {"", "P2 2 1 255\n1 2\n", "P5 2000000000 2000000000 65535\n", "P2 2 1 65535\n"}) {
@@ -107,7 +107,7 @@ TEST(TumRgbd, RefusesFilesThatAreNoDepthImage)
     EXPECT_EQ(depthAt(readDepthImage(path), {1.0f, 0.0f}), 1.0);
 }
 
-TEST(TumRgbd, NamesTellTheCamera)
+TEST(TumRgbd, namesTellTheCamera)
 {
     TumCalibration calibration;
     for (const char* name : {"rgbd_dataset_freiburg1_desk2", "tum_fr1_rpy"}) {
@@ -123,7 +123,7 @@ TEST(TumRgbd, NamesTellTheCamera)
     EXPECT_FALSE(tumCalibration("rgbd_dataset_freiburg4_desk", calibration));
 }
 
-TEST(TumRgbd, TheCommittedCorrespondencesComeOutAgain)
+TEST(TumRgbd, theCommittedCorrespondencesComeOutAgain)
 {
     const char* const variable = std::getenv("GMLPNP_DATA");
     const std::string folder = std::string(variable ? variable : GMLPNP_DATA_DEFAULT) + "/tum_fr1_rpy";

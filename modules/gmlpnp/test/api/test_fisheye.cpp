@@ -42,7 +42,7 @@ Scene wideScene(cv::RNG& rng)
     return exactScene(rng, points);
 }
 
-TEST(Gmlpnp_SolvePnPFisheye, exact_up_to_110_degrees)
+TEST(Gmlpnp_SolvePnPFisheye, exactUpTo110Degrees)
 {
     cv::RNG rng = testRng();
     for (int flag : FLAGS) {
@@ -53,7 +53,7 @@ TEST(Gmlpnp_SolvePnPFisheye, exact_up_to_110_degrees)
     }
 }
 
-TEST(Gmlpnp_SolvePnPFisheye, default_flag_depth_and_guess_are_those_of_solvePnP)
+TEST(Gmlpnp_SolvePnPFisheye, defaultFlagDepthAndGuessAreThoseOfSolvePnP)
 {
     cv::RNG rng = testRng();
     const Scene scene = wideScene(rng);
@@ -69,7 +69,7 @@ TEST(Gmlpnp_SolvePnPFisheye, default_flag_depth_and_guess_are_those_of_solvePnP)
 }
 
 // With rays in front of the camera each flag of OpenCV finds the pose; its own 5 iterations would not, at 80 degrees.
-TEST(Gmlpnp_SolvePnPFisheye, opencv_flags_work_on_the_undistorted_pixels)
+TEST(Gmlpnp_SolvePnPFisheye, opencvFlagsWorkOnTheUndistortedPixels)
 {
     cv::RNG rng = testRng();
     std::vector<Vector3d> points;
@@ -90,7 +90,7 @@ TEST(Gmlpnp_SolvePnPFisheye, opencv_flags_work_on_the_undistorted_pixels)
         }
 }
 
-TEST(Gmlpnp_SolvePnPFisheye, wrong_input_is_refused_by_name)
+TEST(Gmlpnp_SolvePnPFisheye, wrongInputIsRefusedByName)
 {
     cv::RNG rng = testRng();
     const Scene scene = wideScene(rng);

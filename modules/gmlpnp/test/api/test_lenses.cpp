@@ -19,7 +19,7 @@ class Gmlpnp_SolveWideLens : public testing::TestWithParam<WideLens>
 {};
 
 // 220 degrees: one third of the pixels is behind the image plane.
-TEST_P(Gmlpnp_SolveWideLens, equals_solveRays_on_rays_computed_apart)
+TEST_P(Gmlpnp_SolveWideLens, equalsSolveRaysOnRaysComputedApart)
 {
     const WideLens& lens = GetParam();
     cv::RNG rng = testRng();
@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Lenses, Gmlpnp_SolveWideLens, testing::Values(wideFishe
 
 // Real pixels of a real catadioptric camera. The calibration minimises the sum of squared pixel errors, so nothing can
 // be below it by much. The estimated noise weighs the pixels otherwise, tails more so; that must cost little.
-TEST(Gmlpnp_SolveLenses, chessboards_of_an_omnidirectional_camera)
+TEST(Gmlpnp_SolveLenses, chessboardsOfAnOmnidirectionalCamera)
 {
     const BoardCalibration boards = omnidirChessboard();
     if (boards.views.empty())

@@ -89,7 +89,7 @@ protected:
     }
 };
 
-TEST_F(Gmlpnp_SolveMasked, pixels_without_ray_do_not_take_part)
+TEST_F(Gmlpnp_SolveMasked, pixelsWithoutRayDoNotTakePart)
 {
     cv::RNG rng = testRng();
     const WideScene scene = wideScene(rng, wideEucm(), 40);
@@ -115,7 +115,7 @@ TEST_F(Gmlpnp_SolveMasked, pixels_without_ray_do_not_take_part)
         EXPECT_EQ(i % 4 == 1, masked.weights.at<double>(i) == 0) << i;
 }
 
-TEST_F(Gmlpnp_SolveMasked, too_few_rays_are_too_few_points)
+TEST_F(Gmlpnp_SolveMasked, tooFewRaysAreTooFewPoints)
 {
     cv::RNG rng = testRng();
     const WideScene scene = wideScene(rng, wideEucm(), 12);

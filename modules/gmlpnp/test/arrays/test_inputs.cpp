@@ -60,7 +60,7 @@ TEST(Gmlpnp_Arrays, matrices)
     }
 }
 
-TEST(Gmlpnp_Arrays, vectors_and_fixed_sizes)
+TEST(Gmlpnp_Arrays, vectorsAndFixedSizes)
 {
     expectPoints(vectorOf<Point3f>(), "vector<Point3f>");
     expectPoints(vectorOf<Point3d>(), "vector<Point3d>");
@@ -90,7 +90,7 @@ TEST(Gmlpnp_Arrays, slices)
     }
 }
 
-TEST(Gmlpnp_Arrays, one_point_and_a_square)
+TEST(Gmlpnp_Arrays, onePointAndASquare)
 {
     EXPECT_EQ(pointsFrom(Mat(1, 3, CV_64F, Scalar(2)), 3, "p").size(), Size(3, 1));
     EXPECT_EQ(pointsFrom(Mat(1, 1, CV_32FC3, Scalar::all(2)), 3, "p").size(), Size(3, 1));
@@ -99,14 +99,14 @@ TEST(Gmlpnp_Arrays, one_point_and_a_square)
     EXPECT_EQ(pointsFrom(std::vector<Point2f>(4), 2, "p").size(), Size(2, 4));
 }
 
-TEST(Gmlpnp_Arrays, the_input_is_not_written_nor_copied_without_need)
+TEST(Gmlpnp_Arrays, theInputIsNotWrittenNorCopiedWithoutNeed)
 {
     const Mat rows = reference();
     const Mat_<double> points = pointsFrom(rows, 3, "objectPoints");
     EXPECT_EQ(points.ptr(), rows.ptr());
 }
 
-TEST(Gmlpnp_Arrays, refused_points)
+TEST(Gmlpnp_Arrays, refusedPoints)
 {
     expectRefused(Mat(5, 3, CV_32S, Scalar(1)));
     expectRefused(Mat(5, 3, CV_8U, Scalar(1)));
@@ -129,13 +129,13 @@ TEST(Gmlpnp_Arrays, refused_points)
     expectRefused(Mat(4, deep, CV_64F, Scalar(1)));
 }
 
-TEST(Gmlpnp_Arrays, refusal_says_what_it_got)
+TEST(Gmlpnp_Arrays, refusalSaysWhatItGot)
 {
     expectError(Error::StsAssert, "3x5 of CV_32S", [] { pointsFrom(Mat(3, 5, CV_32S, Scalar(1)), 3, "p"); });
     expectError(Error::StsAssert, "3x4 of CV_64F", [] { matrixFrom(Mat::eye(3, 4, CV_64F), 3, 3, "K"); });
 }
 
-TEST(Gmlpnp_Arrays, matrices_of_any_depth)
+TEST(Gmlpnp_Arrays, matricesOfAnyDepth)
 {
     const Mat K = (Mat_<double>(3, 3) << 50, 0, 32, 0, 51, 24, 0, 0, 1);
     for (const int depth : {CV_8U, CV_8S, CV_16U, CV_16S, CV_32S, CV_32F, CV_64F}) {
@@ -153,7 +153,7 @@ TEST(Gmlpnp_Arrays, matrices_of_any_depth)
     EXPECT_EQ(cv::norm(matrixFrom(K.getUMat(ACCESS_READ), 3, 3, "K"), K, NORM_INF), 0);
 }
 
-TEST(Gmlpnp_Arrays, refused_matrices)
+TEST(Gmlpnp_Arrays, refusedMatrices)
 {
     const std::vector<double> nine(9, 1.0);
     for (const Mat& bad : {Mat(3, 4, CV_64F), Mat(2, 3, CV_64F), Mat(), Mat(nine), Mat(3, 3, CV_64FC2)})

@@ -35,7 +35,7 @@ double firstRoot(const std::vector<double>& c)
     return firstPositiveRoot(c.data(), static_cast<int>(c.size()) - 1);
 }
 
-TEST(Gmlpnp_CameraCommon, first_positive_root)
+TEST(Gmlpnp_CameraCommon, firstPositiveRoot)
 {
     EXPECT_EQ(firstRoot({1}), kInf);
     EXPECT_EQ(firstRoot({1, 2, 3}), kInf);
@@ -50,7 +50,7 @@ TEST(Gmlpnp_CameraCommon, first_positive_root)
     EXPECT_NEAR(firstRoot({1, -1e-9}), 1e9, 1);
 }
 
-TEST(Gmlpnp_CameraCommon, first_positive_root_is_approached_from_below)
+TEST(Gmlpnp_CameraCommon, firstPositiveRootIsApproachedFromBelow)
 {
     RNG rng(20240917);
     for (int trial = 0; trial < 2000; ++trial) {
@@ -70,7 +70,7 @@ TEST(Gmlpnp_CameraCommon, first_positive_root_is_approached_from_below)
     }
 }
 
-TEST(Gmlpnp_CameraCommon, solve_increasing)
+TEST(Gmlpnp_CameraCommon, solveIncreasing)
 {
     const auto cube = [](double x, double& slope) {
         slope = 3 * x * x;
@@ -105,7 +105,7 @@ const Case kCases[] = {
 };
 
 // Every point of the domain on a dense grid comes back, no matter how near to the fold.
-TEST(Gmlpnp_CameraDistortion, inverse_over_the_whole_domain)
+TEST(Gmlpnp_CameraDistortion, inverseOverTheWholeDomain)
 {
     for (const Case& c : kCases) {
         const Distortion distortion(c.D);
@@ -132,7 +132,7 @@ TEST(Gmlpnp_CameraDistortion, inverse_over_the_whole_domain)
 }
 
 // What the inverse returns is right and in the domain, also for distorted points that the domain does not reach.
-TEST(Gmlpnp_CameraDistortion, inverse_is_never_wrong)
+TEST(Gmlpnp_CameraDistortion, inverseIsNeverWrong)
 {
     for (const Case& c : kCases) {
         const Distortion distortion(c.D);
@@ -148,7 +148,7 @@ TEST(Gmlpnp_CameraDistortion, inverse_is_never_wrong)
     }
 }
 
-TEST(Gmlpnp_CameraDistortion, random_coefficients)
+TEST(Gmlpnp_CameraDistortion, randomCoefficients)
 {
     RNG rng(8);
     int inside = 0, lost = 0;
@@ -175,7 +175,7 @@ TEST(Gmlpnp_CameraDistortion, random_coefficients)
 }
 
 // 1 - 0.9 r^2 = 0: the turning point of r (1 - 0.3 r^2).
-TEST(Gmlpnp_CameraDistortion, fold_of_a_barrel)
+TEST(Gmlpnp_CameraDistortion, foldOfABarrel)
 {
     const Distortion distortion(kCases[1].D);
     const double r = std::sqrt(1 / 0.9), edge = r * (1 - 0.3 * r * r);
@@ -190,7 +190,7 @@ TEST(Gmlpnp_CameraDistortion, fold_of_a_barrel)
 }
 
 // However short the way to the fold is: at the centre there is no distortion.
-TEST(Gmlpnp_CameraDistortion, the_centre_is_always_in_the_domain)
+TEST(Gmlpnp_CameraDistortion, theCentreIsAlwaysInTheDomain)
 {
     for (const double p : {0., 0.1, 0.95, 100.}) {
         const Distortion distortion({0, 0, p, p, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});

@@ -45,7 +45,7 @@ double endOfDomainInThePaper(double xi, double alpha)
 const double kXis[] = {-0.6, -0.27, 0.0, 0.3, 0.7};
 const double kAlphas[] = {0.0, 0.2, 0.45, 0.57, 0.8, 1.0};
 
-TEST(Gmlpnp_CameraDoubleSphere, whole_domain)
+TEST(Gmlpnp_CameraDoubleSphere, wholeDomain)
 {
     for (const double xi : kXis)
         for (const double alpha : kAlphas) {
@@ -67,14 +67,14 @@ TEST(Gmlpnp_CameraDoubleSphere, whole_domain)
 }
 
 // Documents the departure from the paper, whose closed form is the domain at w = 1 and at xi = 0 only.
-TEST(Gmlpnp_CameraDoubleSphere, the_bound_of_the_paper)
+TEST(Gmlpnp_CameraDoubleSphere, theBoundOfThePaper)
 {
     for (const double xi : kXis)
         EXPECT_NEAR(endOfDomainInThePaper(xi, 0.5), endOfDomain(xi, 0.5), 1e-7) << xi;
     for (const double alpha : kAlphas)
         EXPECT_NEAR(endOfDomainInThePaper(0, alpha), endOfDomain(0, alpha), 1e-7) << alpha;
 
-    // Too narrow: whole_domain above goes round the directions in between.
+    // Too narrow: wholeDomain above goes round the directions in between.
     EXPECT_GT(endOfDomain(0.3, 0.8), endOfDomainInThePaper(0.3, 0.8) + 1 * kDegree);
 
     // Too wide: a direction within it has the pixel of another one.
@@ -89,7 +89,7 @@ TEST(Gmlpnp_CameraDoubleSphere, the_bound_of_the_paper)
     EXPECT_FALSE(camera->projectPoint(beyond, pixel));
 }
 
-TEST(Gmlpnp_CameraDoubleSphere, pixels_of_the_domain)
+TEST(Gmlpnp_CameraDoubleSphere, pixelsOfTheDomain)
 {
     const double xi = -0.27, alpha = 0.7, radius = 190 / std::sqrt(2 * alpha - 1);
     const Ptr<CameraModel> camera = CameraModel::doubleSphere(kK, xi, alpha);
@@ -100,7 +100,7 @@ TEST(Gmlpnp_CameraDoubleSphere, pixels_of_the_domain)
     EXPECT_TRUE(CameraModel::doubleSphere(kK, xi, 0.5)->unprojectPoint({1e6, -1e6}, ray));
 }
 
-TEST(Gmlpnp_CameraDoubleSphere, coinciding_spheres_are_eucm_with_beta_one)
+TEST(Gmlpnp_CameraDoubleSphere, coincidingSpheresAreEucmWithBetaOne)
 {
     const Ptr<CameraModel> ds = CameraModel::doubleSphere(kK, 0, 0.6), eucm = CameraModel::eucm(kK, 0.6, 1);
     for (const Vec3d& m : polarGrid(120 * kDegree)) {

@@ -53,7 +53,7 @@ TEST_F(Gmlpnp_CameraEquirectangular, poles)
     }
 }
 
-TEST_F(Gmlpnp_CameraEquirectangular, every_pixel_of_the_picture)
+TEST_F(Gmlpnp_CameraEquirectangular, everyPixelOfThePicture)
 {
     for (int v = 0; v < H; v += 7)
         for (int u = 0; u < W; u += 7) {
@@ -65,7 +65,7 @@ TEST_F(Gmlpnp_CameraEquirectangular, every_pixel_of_the_picture)
         }
 }
 
-TEST_F(Gmlpnp_CameraEquirectangular, the_picture_continues_around)
+TEST_F(Gmlpnp_CameraEquirectangular, thePictureContinuesAround)
 {
     Vec3d a, b;
     ASSERT_TRUE(camera->unprojectPoint({-3, 200}, a));

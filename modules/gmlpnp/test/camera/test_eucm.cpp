@@ -29,7 +29,7 @@ double endOfDomain(double alpha, double beta)
     return w == 0 ? CV_PI / 2 : CV_PI - std::atan(std::sqrt((1 / (w * w) - 1) / beta));
 }
 
-TEST(Gmlpnp_CameraEucm, whole_domain)
+TEST(Gmlpnp_CameraEucm, wholeDomain)
 {
     for (const double beta : {0.5, 1.0, 1.8})
         for (const double alpha : {0.0, 0.2, 0.45, 0.55, 0.7, 0.9, 1.0}) {
@@ -50,7 +50,7 @@ TEST(Gmlpnp_CameraEucm, whole_domain)
         }
 }
 
-TEST(Gmlpnp_CameraEucm, pixels_of_the_domain)
+TEST(Gmlpnp_CameraEucm, pixelsOfTheDomain)
 {
     const double alpha = 0.7, beta = 1.2, radius = 300 / std::sqrt(beta * (2 * alpha - 1));
     const Ptr<CameraModel> camera = CameraModel::eucm(kK, alpha, beta);
@@ -61,7 +61,7 @@ TEST(Gmlpnp_CameraEucm, pixels_of_the_domain)
     EXPECT_TRUE(CameraModel::eucm(kK, 0.5, beta)->unprojectPoint({1e6, -1e6}, ray));
 }
 
-TEST(Gmlpnp_CameraEucm, beta_one_is_the_unified_camera)
+TEST(Gmlpnp_CameraEucm, betaOneIsTheUnifiedCamera)
 {
     // alpha = xi / (1 + xi); the focal lengths differ by 1 + xi.
     const double xi = 0.8;
@@ -76,7 +76,7 @@ TEST(Gmlpnp_CameraEucm, beta_one_is_the_unified_camera)
     }
 }
 
-TEST(Gmlpnp_CameraEucm, alpha_zero_is_the_pinhole)
+TEST(Gmlpnp_CameraEucm, alphaZeroIsThePinhole)
 {
     const Matx33d K = matrixK(300, 302, 320, 240);
     Mat a, b;

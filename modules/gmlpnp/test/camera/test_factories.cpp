@@ -24,7 +24,7 @@ protected:
     std::vector<Point2d> pixels = {{0, 0}, {318.6, 255.3}, {639, 479}};
 };
 
-TEST_F(Gmlpnp_CameraModel, outputs_of_fixed_type)
+TEST_F(Gmlpnp_CameraModel, outputsOfFixedType)
 {
     Mat expected;
     camera->unproject(pixels, expected);
@@ -52,7 +52,7 @@ TEST_F(Gmlpnp_CameraModel, outputs_of_fixed_type)
     EXPECT_EQ(cv::norm(device.getMat(ACCESS_READ), expected, NORM_INF), 0);
 }
 
-TEST_F(Gmlpnp_CameraModel, output_into_a_slice)
+TEST_F(Gmlpnp_CameraModel, outputIntoASlice)
 {
     Mat expected, wide = Mat::ones(3, 8, CV_64F);
     camera->unproject(pixels, expected);
@@ -63,7 +63,7 @@ TEST_F(Gmlpnp_CameraModel, output_into_a_slice)
     EXPECT_EQ(cv::norm(wide.colRange(5, 8), Mat::ones(3, 3, CV_64F), NORM_INF), 0);
 }
 
-TEST_F(Gmlpnp_CameraModel, misuse_names_the_argument)
+TEST_F(Gmlpnp_CameraModel, misuseNamesTheArgument)
 {
     Mat out;
     expectError(Error::StsAssert, "imagePoints", [&] { camera->unproject(std::vector<Point2i>(4), out); });
@@ -73,7 +73,7 @@ TEST_F(Gmlpnp_CameraModel, misuse_names_the_argument)
     expectError(Error::StsAssert, "rays", [&] { camera->unproject(pixels, wrong); });
 }
 
-TEST_F(Gmlpnp_CameraModel, a_lens_of_your_own)
+TEST_F(Gmlpnp_CameraModel, aLensOfYourOwn)
 {
     class Orthographic : public CameraModel
     {
@@ -102,7 +102,7 @@ TEST_F(Gmlpnp_CameraModel, a_lens_of_your_own)
 }
 
 // The same checks of K stand before every lens that has one.
-TEST(Gmlpnp_CameraFactories, camera_matrix)
+TEST(Gmlpnp_CameraFactories, cameraMatrix)
 {
     using Factory = std::function<void(InputArray)>;
     const std::vector<Factory> factories = {
@@ -128,7 +128,7 @@ TEST(Gmlpnp_CameraFactories, camera_matrix)
     }
 }
 
-TEST(Gmlpnp_CameraFactories, distortion_counts)
+TEST(Gmlpnp_CameraFactories, distortionCounts)
 {
     for (int n = 0; n <= 16; ++n) {
         const std::vector<float> D(n, 0.001f);
@@ -162,7 +162,7 @@ TEST(Gmlpnp_CameraFactories, parameters)
 }
 
 // A point far from the axis: its pixel is beyond the range of a double.
-TEST(Gmlpnp_CameraFactories, pixels_beyond_all_numbers_are_none)
+TEST(Gmlpnp_CameraFactories, pixelsBeyondAllNumbersAreNone)
 {
     for (const auto& lens : {CameraModel::pinhole(kTum), CameraModel::omnidir(kTum, noArray(), 1e-306),
                              CameraModel::eucm(kTum, 0, 1), CameraModel::doubleSphere(kTum, 0, 0)}) {
@@ -173,7 +173,7 @@ TEST(Gmlpnp_CameraFactories, pixels_beyond_all_numbers_are_none)
     }
 }
 
-TEST(Gmlpnp_CameraFactories, rays_of_pixels_beyond_all_numbers_are_unit_or_none)
+TEST(Gmlpnp_CameraFactories, raysOfPixelsBeyondAllNumbersAreUnitOrNone)
 {
     constexpr double HUGE_PIXEL = std::numeric_limits<double>::max();
     const Matx33d tiny = matrixK(1e-29, 1e-29, 320, 240);
@@ -189,7 +189,7 @@ TEST(Gmlpnp_CameraFactories, rays_of_pixels_beyond_all_numbers_are_unit_or_none)
 }
 
 // Their derivatives would be beyond the range of a double.
-TEST(Gmlpnp_CameraFactories, parameters_beyond_reason_are_refused)
+TEST(Gmlpnp_CameraFactories, parametersBeyondReasonAreRefused)
 {
     for (const double bad : {1e-31, 1e31, -1e300}) {
         expectError(Error::StsBadArg, "'K'", [&] { CameraModel::pinhole(matrixK(bad, 500, 320, 240)); });

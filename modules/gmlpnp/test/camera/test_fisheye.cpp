@@ -26,7 +26,7 @@ Point2d oracle(const Vec3d& X, const Matx33d& K, const Vec4d& D)
     return {static_cast<double>(K(0, 0) * x + K(0, 1) * y + K(0, 2)), static_cast<double>(K(1, 1) * y + K(1, 2))};
 }
 
-TEST(Gmlpnp_CameraFisheye, equals_the_formula_in_all_directions)
+TEST(Gmlpnp_CameraFisheye, equalsTheFormulaInAllDirections)
 {
     const Ptr<CameraModel> camera = CameraModel::fisheye(kK, kD);
     for (const Vec3d& m : polarGrid(110 * kDegree)) {
@@ -37,7 +37,7 @@ TEST(Gmlpnp_CameraFisheye, equals_the_formula_in_all_directions)
     }
 }
 
-TEST(Gmlpnp_CameraFisheye, equals_projectPoints_in_front)
+TEST(Gmlpnp_CameraFisheye, equalsProjectPointsInFront)
 {
     const std::vector<Point3d> points = pointsInFront(8);  // to 85 degrees
     std::vector<Point2d> expected;
@@ -48,7 +48,7 @@ TEST(Gmlpnp_CameraFisheye, equals_projectPoints_in_front)
     EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
 }
 
-TEST(Gmlpnp_CameraFisheye, skew_is_alpha_of_OpenCV)
+TEST(Gmlpnp_CameraFisheye, skewIsAlphaOfOpenCV)
 {
     const double alpha = 0.02;
     Matx33d skewed = kK;
@@ -61,7 +61,7 @@ TEST(Gmlpnp_CameraFisheye, skew_is_alpha_of_OpenCV)
     EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
 }
 
-TEST(Gmlpnp_CameraFisheye, equals_undistortPoints_in_front)
+TEST(Gmlpnp_CameraFisheye, equalsUndistortPointsInFront)
 {
     const Ptr<CameraModel> camera = CameraModel::fisheye(kK, kD);
     for (const Vec3d& m : polarGrid(80 * kDegree)) {
@@ -76,7 +76,7 @@ TEST(Gmlpnp_CameraFisheye, equals_undistortPoints_in_front)
 }
 
 // Where OpenCV is not right: what lies behind the image plane is mirrored to the front.
-TEST(Gmlpnp_CameraFisheye, projectPoints_loses_the_sign_of_z)
+TEST(Gmlpnp_CameraFisheye, projectPointsLosesTheSignOfZ)
 {
     for (const double angle : {95, 110}) {
         const Vec3d m = direction(angle * kDegree, 0.3);
@@ -90,7 +90,7 @@ TEST(Gmlpnp_CameraFisheye, projectPoints_loses_the_sign_of_z)
 }
 
 // Where OpenCV is not right: no plane holds a ray at 100 degrees, yet it returns a point.
-TEST(Gmlpnp_CameraFisheye, undistortPoints_ends_at_a_right_angle)
+TEST(Gmlpnp_CameraFisheye, undistortPointsEndsAtARightAngle)
 {
     const Ptr<CameraModel> camera = CameraModel::fisheye(kK, kD);
     std::vector<Point2d> pixel(1), plane;
@@ -104,7 +104,7 @@ TEST(Gmlpnp_CameraFisheye, undistortPoints_ends_at_a_right_angle)
     EXPECT_LT(cv::norm(ours - m), 1e-14);
 }
 
-TEST(Gmlpnp_CameraFisheye, domain_ends_at_the_turning_point)
+TEST(Gmlpnp_CameraFisheye, domainEndsAtTheTurningPoint)
 {
     // theta_d = theta - 0.1 theta^3 turns at theta = sqrt(1 / 0.3), 104.6 degrees.
     const Ptr<CameraModel> camera = CameraModel::fisheye(kK, Vec4d(-0.1, 0, 0, 0));
@@ -123,7 +123,7 @@ TEST(Gmlpnp_CameraFisheye, domain_ends_at_the_turning_point)
     }
 }
 
-TEST(Gmlpnp_CameraFisheye, domain_ends_behind)
+TEST(Gmlpnp_CameraFisheye, domainEndsBehind)
 {
     const Ptr<CameraModel> camera = CameraModel::fisheye(kK);
     Point2d pixel;

@@ -21,7 +21,7 @@ double pixelsPerRadian(const CameraModel& camera)
     return cv::norm(aside - centre) / 1e-5;
 }
 
-TEST_P(Gmlpnp_Camera, jacobian_is_the_derivative_and_tangent)
+TEST_P(Gmlpnp_Camera, jacobianIsTheDerivativeAndTangent)
 {
     int compared = 0;
     for (const Vec3d& m : grid) {
@@ -41,7 +41,7 @@ TEST_P(Gmlpnp_Camera, jacobian_is_the_derivative_and_tangent)
 }
 
 // The Jacobian leads along the sphere to the ray whose pixel is the moved one: project() is the independent side.
-TEST_P(Gmlpnp_Camera, jacobian_agrees_with_projection)
+TEST_P(Gmlpnp_Camera, jacobianAgreesWithProjection)
 {
     for (const Vec3d& m : grid) {
         Point2d pixel, moved;
@@ -57,7 +57,7 @@ TEST_P(Gmlpnp_Camera, jacobian_agrees_with_projection)
 
 // The angle that a pixel spans around the axis, by the Jacobian. Distortion of the plane may be left out of it, and
 // where fx and fy differ the axis sees their mean; a panorama has no axis.
-TEST_P(Gmlpnp_Camera, angular_scale_is_that_of_the_jacobian_around_the_axis)
+TEST_P(Gmlpnp_Camera, angularScaleIsThatOfTheJacobianAroundTheAxis)
 {
     const std::string name = GetParam().name;
     if (name == "equirectangular")
@@ -79,7 +79,7 @@ TEST_P(Gmlpnp_Camera, angular_scale_is_that_of_the_jacobian_around_the_axis)
     }
 }
 
-TEST_P(Gmlpnp_Camera, orientation_is_kept)
+TEST_P(Gmlpnp_Camera, orientationIsKept)
 {
     for (const Vec3d& m : grid) {
         Point2d pixel;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace camera;
 
-TEST_P(Gmlpnp_Camera, rays_to_pixels_and_back)
+TEST_P(Gmlpnp_Camera, raysToPixelsAndBack)
 {
     double worst = 0;
     for (const Vec3d& m : grid) {
@@ -28,7 +28,7 @@ TEST_P(Gmlpnp_Camera, rays_to_pixels_and_back)
     RecordProperty("worst_rad", std::to_string(worst));
 }
 
-TEST_P(Gmlpnp_Camera, pixels_to_rays_and_back)
+TEST_P(Gmlpnp_Camera, pixelsToRaysAndBack)
 {
     double worst = 0;
     for (const Vec3d& m : grid) {
@@ -44,7 +44,7 @@ TEST_P(Gmlpnp_Camera, pixels_to_rays_and_back)
     EXPECT_LT(worst, 1e-12);  // relative
 }
 
-TEST_P(Gmlpnp_Camera, length_of_the_point_does_not_matter)
+TEST_P(Gmlpnp_Camera, lengthOfThePointDoesNotMatter)
 {
     for (const double length : {1e-200, 1e-3, 1e5, 1e200})
         for (size_t i = 0; i < grid.size(); i += 7) {
@@ -55,7 +55,7 @@ TEST_P(Gmlpnp_Camera, length_of_the_point_does_not_matter)
         }
 }
 
-TEST_P(Gmlpnp_Camera, nothing_is_seen_of_what_is_not_finite)
+TEST_P(Gmlpnp_Camera, nothingIsSeenOfWhatIsNotFinite)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     for (const double bad : {nan, inf, -inf}) {
@@ -76,7 +76,7 @@ TEST_P(Gmlpnp_Camera, nothing_is_seen_of_what_is_not_finite)
 }
 
 // Far outside of any picture: either no ray, or a finite unit ray.
-TEST_P(Gmlpnp_Camera, extreme_pixels_give_a_unit_ray_or_none)
+TEST_P(Gmlpnp_Camera, extremePixelsGiveAUnitRayOrNone)
 {
     for (const double far : {1e3, 1e5, 1e8, 1e20, 1e100, 1e200, 1e308})
         for (const Point2d& pixel : {Point2d(far, 3), Point2d(-3, -far), Point2d(far, -far)}) {
@@ -89,7 +89,7 @@ TEST_P(Gmlpnp_Camera, extreme_pixels_give_a_unit_ray_or_none)
         }
 }
 
-TEST_P(Gmlpnp_Camera, arrays_equal_single_points)
+TEST_P(Gmlpnp_Camera, arraysEqualSinglePoints)
 {
     std::vector<Point2d> pixels;
     for (int v = -2000; v < 3000; v += 211)
@@ -116,7 +116,7 @@ TEST_P(Gmlpnp_Camera, arrays_equal_single_points)
 }
 
 // A batch with behind, zero and NaN: masked, and zero in the output.
-TEST_P(Gmlpnp_Camera, masks_of_projection)
+TEST_P(Gmlpnp_Camera, masksOfProjection)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<Point3d> points = {{0.1, 0.2, 1}, {0, 0, 0}, {nan, 0, 1}, {-0.1, 0.1, 2}};
@@ -131,7 +131,7 @@ TEST_P(Gmlpnp_Camera, masks_of_projection)
     EXPECT_EQ(pixels.at<double>(0, 1), first.y);
 }
 
-TEST_P(Gmlpnp_Camera, written_and_read_it_is_the_same_to_the_last_bit)
+TEST_P(Gmlpnp_Camera, writtenAndReadItIsTheSameToTheLastBit)
 {
     for (const char* extension : {".yml", ".xml", ".json"}) {
         FileStorage out(extension, FileStorage::WRITE | FileStorage::MEMORY);

@@ -32,7 +32,7 @@ Point2d oracle(const Vec3d& X, const Matx33d& K, const Vec4d& D, double xi)
     return {static_cast<double>(K(0, 0) * u + K(0, 1) * v + K(0, 2)), static_cast<double>(K(1, 1) * v + K(1, 2))};
 }
 
-TEST(Gmlpnp_CameraOmnidir, equals_the_formula_in_all_directions)
+TEST(Gmlpnp_CameraOmnidir, equalsTheFormulaInAllDirections)
 {
     const Ptr<CameraModel> camera = CameraModel::omnidir(kK, kD, kXi);
     for (const Vec3d& m : polarGrid(140 * kDegree)) {
@@ -69,7 +69,7 @@ TEST(Gmlpnp_CameraOmnidir, domain)
     }
 }
 
-TEST(Gmlpnp_CameraOmnidir, without_mirror_and_skew_it_is_the_pinhole)
+TEST(Gmlpnp_CameraOmnidir, withoutMirrorAndSkewItIsThePinhole)
 {
     const Matx33d K = matrixK(407.63, 409.18, 630.66, 431.52);
     Mat a, b;
@@ -80,7 +80,7 @@ TEST(Gmlpnp_CameraOmnidir, without_mirror_and_skew_it_is_the_pinhole)
 
 #ifdef GMLPNP_COMPARE_WITH_OMNIDIR
 
-TEST(Gmlpnp_CameraOmnidir, equals_cv_omnidir_projectPoints)
+TEST(Gmlpnp_CameraOmnidir, equalsCvOmnidirProjectPoints)
 {
     std::vector<Point3d> points;
     for (const Vec3d& m : polarGrid(140 * kDegree))
@@ -93,7 +93,7 @@ TEST(Gmlpnp_CameraOmnidir, equals_cv_omnidir_projectPoints)
     EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-9);
 }
 
-TEST(Gmlpnp_CameraOmnidir, equals_cv_omnidir_undistortPoints_in_front)
+TEST(Gmlpnp_CameraOmnidir, equalsCvOmnidirUndistortPointsInFront)
 {
     const Ptr<CameraModel> camera = CameraModel::omnidir(kK, kD, kXi);
     for (const Vec3d& m : polarGrid(80 * kDegree)) {
@@ -108,7 +108,7 @@ TEST(Gmlpnp_CameraOmnidir, equals_cv_omnidir_undistortPoints_in_front)
 }
 
 // Where cv::omnidir is not right: it divides by z, so that a ray at 110 degrees comes back as its opposite.
-TEST(Gmlpnp_CameraOmnidir, cv_omnidir_undistortPoints_ends_at_a_right_angle)
+TEST(Gmlpnp_CameraOmnidir, cvOmnidirUndistortPointsEndsAtARightAngle)
 {
     const Ptr<CameraModel> camera = CameraModel::omnidir(kK, kD, kXi);
     std::vector<Point2d> pixel(1), plane;
@@ -122,7 +122,7 @@ TEST(Gmlpnp_CameraOmnidir, cv_omnidir_undistortPoints_ends_at_a_right_angle)
 }
 
 // Where cv::omnidir is not right: its 20 fixed-point steps do not invert a strong distortion.
-TEST(Gmlpnp_CameraOmnidir, cv_omnidir_undistortPoints_diverges)
+TEST(Gmlpnp_CameraOmnidir, cvOmnidirUndistortPointsDiverges)
 {
     const Vec4d strong(0.5, 0.9, 0, 0);
     const Ptr<CameraModel> camera = CameraModel::omnidir(kK, strong, 1);

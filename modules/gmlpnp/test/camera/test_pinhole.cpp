@@ -23,7 +23,7 @@ const Coefficients kAll = {-0.12, 0.08,  0.001,  -0.002, 0.01,  0.02, 0.01,
 class Gmlpnp_CameraPinholeCounts : public testing::TestWithParam<int>
 {};
 
-TEST_P(Gmlpnp_CameraPinholeCounts, equals_projectPoints)
+TEST_P(Gmlpnp_CameraPinholeCounts, equalsProjectPoints)
 {
     const Coefficients D(kAll.begin(), kAll.begin() + GetParam());
     const std::vector<Point3d> points = pointsInFront(0.9);
@@ -35,7 +35,7 @@ TEST_P(Gmlpnp_CameraPinholeCounts, equals_projectPoints)
     EXPECT_LT(cv::norm(pixels, Mat(expected).reshape(1), NORM_INF), 1e-10);
 }
 
-TEST_P(Gmlpnp_CameraPinholeCounts, equals_undistortPoints_iterated_to_convergence)
+TEST_P(Gmlpnp_CameraPinholeCounts, equalsUndistortPointsIteratedToConvergence)
 {
     const Coefficients D(kAll.begin(), kAll.begin() + GetParam());
     std::vector<Point2d> pixels, plane;
@@ -54,7 +54,7 @@ TEST_P(Gmlpnp_CameraPinholeCounts, equals_undistortPoints_iterated_to_convergenc
 
 INSTANTIATE_TEST_SUITE_P(/**/, Gmlpnp_CameraPinholeCounts, testing::Values(0, 4, 5, 8, 12, 14));
 
-TEST(Gmlpnp_CameraPinhole, skew_is_ignored_as_in_OpenCV)
+TEST(Gmlpnp_CameraPinhole, skewIsIgnoredAsInOpenCV)
 {
     const std::vector<Point3d> points = pointsInFront(0.7);
     std::vector<Point2d> expected;
@@ -66,7 +66,7 @@ TEST(Gmlpnp_CameraPinhole, skew_is_ignored_as_in_OpenCV)
 }
 
 // The whole picture of real lenses: every pixel has a ray, and the ray leads back to the pixel.
-TEST(Gmlpnp_CameraPinhole, wide_lenses_over_the_whole_picture)
+TEST(Gmlpnp_CameraPinhole, wideLensesOverTheWholePicture)
 {
     const Ptr<CameraModel> cameras[] = {CameraModel::pinhole(matrixK(250, 250, 320, 240), kWide),
                                         CameraModel::pinhole(kK, kTum)};
@@ -82,7 +82,7 @@ TEST(Gmlpnp_CameraPinhole, wide_lenses_over_the_whole_picture)
 }
 
 // Where OpenCV is not right: five iterations do not undistort a wide lens.
-TEST(Gmlpnp_CameraPinhole, undistortPoints_stops_too_early)
+TEST(Gmlpnp_CameraPinhole, undistortPointsStopsTooEarly)
 {
     const Matx33d K = matrixK(250, 250, 320, 240);
     const std::vector<Point2d> corner = {{0, 0}};
@@ -93,7 +93,7 @@ TEST(Gmlpnp_CameraPinhole, undistortPoints_stops_too_early)
 }
 
 // Where OpenCV is not right: what lies beyond the fold is projected into the picture, what lies behind is mirrored.
-TEST(Gmlpnp_CameraPinhole, projectPoints_folds_and_mirrors)
+TEST(Gmlpnp_CameraPinhole, projectPointsFoldsAndMirrors)
 {
     const Coefficients barrel = {-0.3, 0, 0, 0};
     const std::vector<Point3d> points = {{1.7, 0, 1}, {0.3, 0.1, -1}};
@@ -107,7 +107,7 @@ TEST(Gmlpnp_CameraPinhole, projectPoints_folds_and_mirrors)
     EXPECT_EQ(cv::norm(pixels), 0);
 }
 
-TEST(Gmlpnp_CameraPinhole, pixels_beyond_the_fold_have_no_ray)
+TEST(Gmlpnp_CameraPinhole, pixelsBeyondTheFoldHaveNoRay)
 {
     const Ptr<CameraModel> camera = CameraModel::pinhole(matrixK(300, 300, 320, 240), Coefficients{-0.3, 0, 0, 0});
     const double edge = 300 * 2.0 / 3 * std::sqrt(1 / 0.9);  // r (1 - 0.3 r^2) at its turning point
@@ -118,7 +118,7 @@ TEST(Gmlpnp_CameraPinhole, pixels_beyond_the_fold_have_no_ray)
     EXPECT_FALSE(camera->unprojectPoint({320, 240 - 1.5 * edge}, ray));
 }
 
-TEST(Gmlpnp_CameraPinhole, behind_and_beside_are_masked)
+TEST(Gmlpnp_CameraPinhole, behindAndBesideAreMasked)
 {
     const Ptr<CameraModel> camera = CameraModel::pinhole(kK);
     Point2d pixel;
@@ -129,7 +129,7 @@ TEST(Gmlpnp_CameraPinhole, behind_and_beside_are_masked)
     EXPECT_EQ(pixel, Point2d(318.6, 255.3));
 }
 
-TEST(Gmlpnp_CameraPinhole, undistorted_jacobian_in_closed_form)
+TEST(Gmlpnp_CameraPinhole, undistortedJacobianInClosedForm)
 {
     Vec3d ray;
     Matx32d J;
@@ -138,7 +138,7 @@ TEST(Gmlpnp_CameraPinhole, undistorted_jacobian_in_closed_form)
     EXPECT_LT(cv::norm(J - Matx32d(1 / 517.3, 0, 0, 1 / 516.5, 0, 0)), 1e-18);
 }
 
-TEST(Gmlpnp_CameraPinhole, sensor_tilted_by_a_right_angle)
+TEST(Gmlpnp_CameraPinhole, sensorTiltedByARightAngle)
 {
     Coefficients D(14, 0.0);
     D[12] = 2;  // rad
