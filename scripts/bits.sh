@@ -18,8 +18,11 @@ bash scripts/install_deps.sh
 
 # Where the program of this tree, linked with the module of tree $1, is built and run; $2: a folder, $3: the output.
 hashes_of() {
-  cmake -S test/bits -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGMLPNP_TREE="$1" >"$2.log"
-  cmake --build "$2" --target gmlpnp_bits >>"$2.log"
+  if ! (cmake -S test/bits -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGMLPNP_TREE="$1" &&
+    cmake --build "$2" --target gmlpnp_bits) >"$2.log" 2>&1; then
+    cat "$2.log" >&2
+    return 1
+  fi
   "$2/gmlpnp_bits" >"$3"
 }
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html
 
 #include "experiments.hpp"
-#include "src/estimator/estimate.hpp"
+#include "src/estimator/alternation.hpp"
 #include "src/estimator/initial_pose.hpp"
 
 // Where there are too few points for a covariance: the default against the estimator that takes all noise for

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html
 
 #include "experiments.hpp"
-#include "src/estimator/estimate.hpp"
 #include "src/estimator/initial_pose.hpp"
+#include "src/estimator/kinds_of_noise.hpp"
 
 // What the estimated tails cost on Gaussian data, and whether they reach the best Student-t of fixed degrees of freedom
 // where some of the points have five times the noise, and where the noise is a Student-t.
@@ -25,13 +25,13 @@ std::string nameOf(size_t method)
     return FIXED[method] == GAUSSIAN ? "Gaussian" : cv::format("ν = %d", FIXED[method]);
 }
 
-Stopping stoppingOf(size_t method)
+Estimate fitBy(size_t method, const Correspondences& data, const Pose& start)
 {
-    Stopping stopping = defaultStopping(false);
-    stopping.robust = method == std::size(FIXED);
-    if (!stopping.robust && FIXED[method] != GAUSSIAN)
-        stopping.tails = {1, 1, FIXED[method]};
-    return stopping;
+    FitOptions options{defaultLimits(false)};
+    options.tails = method == std::size(FIXED);
+    const bool student = !options.tails && FIXED[method] != GAUSSIAN;
+    return fitMarginal(Subsets(data), start, std::nullopt, std::nullopt, options,
+                       student ? Tails{1, 1, FIXED[method]} : Tails());
 }
 
 std::array<PoseErrors, COUNT> errorsOfAll(const Problem& problem)
@@ -42,8 +42,7 @@ std::array<PoseErrors, COUNT> errorsOfAll(const Problem& problem)
         throw std::runtime_error("tails: a problem without a pose");
     std::array<PoseErrors, COUNT> errors;
     for (size_t m = 0; m < COUNT; ++m) {
-        const cv::gmlpnp::detail::Estimate found =
-            estimateMarginal(data, starts.front().pose, std::nullopt, std::nullopt, stoppingOf(m));
+        const cv::gmlpnp::detail::Estimate found = fitBy(m, data, starts.front().pose);
         errors[m] = errorsOf(data.toObject(found.pose), problem.scene.truth);
     }
     return errors;

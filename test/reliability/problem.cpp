@@ -4,7 +4,7 @@
 
 #include "problem.hpp"
 
-#include "src/spd3.hpp"
+#include "src/math/spd3.hpp"
 #include "trials.hpp"
 
 namespace reliability {

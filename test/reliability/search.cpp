@@ -4,9 +4,9 @@
 
 #include "search.hpp"
 
-#include "src/noise_estimate.hpp"
-#include "src/pose_covariance.hpp"
-#include "src/tails.hpp"
+#include "src/estimator/alternation.hpp"
+#include "src/estimator/pose_covariance.hpp"
+#include "src/noise/fit.hpp"
 #include "trials.hpp"
 
 namespace reliability {
@@ -77,23 +77,20 @@ bool searchable(const Problem& problem)
 
 namespace {
 
-// The least L with noise of one kind at a pose: the alternation with the pose held, to its end. Not that of rating.cpp,
-// which stops early: by how much that matters is what the search shows.
+// The least L with noise of one kind at a pose that is held. It runs to the end, where costWithNoiseFitted() stops
+// early: the search shows by how much that matters.
 double fittedCost(const Correspondences& data, const Pose& pose, NoiseKind kind, const IsotropicNoise& start)
 {
     constexpr int ROUNDS = 100;  // MM moves L by less than a hundredth of a nat then
     // The end is not the least: in a narrow view a variance along the rays that nothing holds grows, and what the prior
     // of the shape draws from it raises those that are seen, and with them L by nats.
     double least = std::numeric_limits<double>::infinity();
-    std::vector<double> c(data.size());
-    TailSearch tails(false, data.size());
     Noise noise = isotropic(start.a, start.b);
+    NoiseFit fit(data, {noise, kind}, true);
     for (int k = 0; k < ROUNDS; ++k) {
-        const RaySums sums = rayPass(data, pose, noise, {LeverArm::CORRECTED, NO_PRODUCTS, c.data()});
+        const RaySums sums = rayPass(data, pose, noise, {LeverArm::CORRECTED, NO_PRODUCTS, fit.residuals()});
         least = std::min(least, sums.L);
-        noise = updatedNoise(kind, noise, sums, pose.R, data.size());
-        if (k > 0)
-            tails.update(noise, c.data(), sums);
+        noise = fit.next(noise, sums, pose.R, NoiseStep::MM);
     }
     return least;
 }
@@ -106,7 +103,7 @@ double costOf(const Correspondences& data, const Pose& minimum)
         return std::numeric_limits<double>::infinity();
     const IsotropicSplit split = splitResiduals(data, minimum);
     const auto cost = [&](NoiseKind kind, const IsotropicNoise& start) {
-        return fittedCost(data, minimum, kind, start) + evidenceAsked(kind) + priorAgainst(kind, split);
+        return fittedCost(data, minimum, kind, start) + penaltyOf(kind) + priorCost(kind, split);
     };
     return std::min({cost(NoiseKind::OBJECT, split.object), cost(NoiseKind::BEARING, split.bearing),
                      cost(NoiseKind::BOTH, split.both)});

@@ -15,7 +15,7 @@ bool searchable(const Problem& problem);
 
 /** By how much [nat] the best minimum of isotropic noise that is found from `starts` random rotations is better than
 the one that `pose` belongs to. A minimum is rated by L with the noise that is fitted to it, of the kind that has the
-least with what is asked of each kind (evidenceAsked, priorAgainst); only minima with most points in front count, and
+least with what is asked of each kind (penaltyOf, priorCost); only minima with most points in front count, and
 poses from which a descent comes to an end. Each start has the translation that goes with its rotation. */
 double aboveSearch(const Problem& problem, const Pose& pose, int starts);
 

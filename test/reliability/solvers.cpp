@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-#include "src/spd3.hpp"
+#include "src/math/spd3.hpp"
 
 namespace reliability {
 

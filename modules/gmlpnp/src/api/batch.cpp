@@ -4,7 +4,9 @@
 
 #include "../precomp.hpp"
 
-#include "boundary.hpp"
+#include "options.hpp"
+#include "problem.hpp"
+#include "result.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -13,13 +15,13 @@ namespace {
 
 using namespace detail;
 
-// Nothing seen in one of many pictures is no misuse: too few points.
-Input inputOf(const Mat& objectPoints, const Mat& rays, const Params& params, int problem)
+// A picture in which nothing was seen is no misuse: it has too few points.
+Problem problemOf(const Mat& objectPoints, const Mat& rays, const Params& params, int problem)
 {
     if (objectPoints.empty() && rays.empty())
-        return Input();
+        return Problem();
     try {
-        return inputRays(objectPoints, rays, params);
+        return problemFromRays(objectPoints, rays, params);
     } catch (const Exception& e) {
         CV_Error(e.code, format("problem %d: %s", problem, e.err.c_str()));
     }
@@ -32,7 +34,7 @@ int solveBatch(InputArrayOfArrays objectPoints, InputArrayOfArrays rays, std::ve
 {
     if (!params.objectCovariances.empty())
         CV_Error(Error::StsBadArg, "objectCovariances belong to the points of one problem");
-    const Options options = checked(params);
+    const Options options = optionsFrom(params);
     std::vector<Mat> points, directions;
     objectPoints.getMatVector(points);
     rays.getMatVector(directions);
@@ -40,14 +42,14 @@ int solveBatch(InputArrayOfArrays objectPoints, InputArrayOfArrays rays, std::ve
         CV_Error(Error::StsAssert, format("objectPoints and rays differ in the number of problems: %d and %d",
                                           static_cast<int>(points.size()), static_cast<int>(directions.size())));
     const int count = static_cast<int>(points.size());
-    std::vector<Input> inputs;  // all are checked before any is solved
+    std::vector<Problem> problems;  // all are checked before any is solved
     for (int k = 0; k < count; ++k)
-        inputs.push_back(inputOf(points[k], directions[k], params, k));
+        problems.push_back(problemOf(points[k], directions[k], params, k));
 
     std::vector<Result> found(count);
     parallel_for_(Range(0, count), [&](const Range& range) {
         for (int k = range.start; k < range.end; ++k)
-            solveOne(inputs[k], options, found[k]);
+            solveToResult(problems[k], options, found[k]);
     });
     results.swap(found);
     return static_cast<int>(

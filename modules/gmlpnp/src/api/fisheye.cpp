@@ -5,7 +5,7 @@
 #include "../precomp.hpp"
 
 #include "../arrays/inputs.hpp"
-#include "boundary.hpp"
+#include "options.hpp"
 #include "ransac.hpp"
 #include "solvepnp.hpp"
 

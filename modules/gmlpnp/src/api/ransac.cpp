@@ -7,8 +7,11 @@
 #include "../arrays/inputs.hpp"
 #include "../ransac/measure.hpp"
 #include "../ransac/repeats.hpp"
-#include "boundary.hpp"
+#include "../ransac/search.hpp"
+#include "options.hpp"
+#include "problem.hpp"
 #include "ransac.hpp"
+#include "result.hpp"
 #include "solvepnp.hpp"
 
 // The search for a consensus, the solve on its inliers, the inliers of what was solved.
@@ -32,12 +35,6 @@ void checkRansac(const RansacParams& ransac, double largestThreshold)
         CV_Error(Error::StsBadArg, format("confidence: %g is not between 0 and 1", ransac.confidence));
     if (ransac.maxIterations < 1)
         CV_Error(Error::StsBadArg, format("maxIterations: %d is no iteration", ransac.maxIterations));
-}
-
-Observations chosen(const Observations& all, const std::vector<int>& rows)
-{
-    return {chosenRows(all.points, rows), chosenRows(all.rays, rows), chosenRows(all.objectCovariances, rows),
-            chosenRows(all.rayCovariances, rows), all.scaled};
 }
 
 size_t countDifferent(const std::vector<int>& a, const std::vector<int>& b)
@@ -81,7 +78,7 @@ Status solveInliers(const Observations& all, const Measure& measure, Options opt
         if (inliers.size() < 4)
             return STATUS_NO_CONSENSUS;
         std::vector<Solution> solutions;
-        status = solveAll(chosen(all, inliers), options, solutions);
+        status = solveMinima(chosenRows(all, inliers), options, solutions);
         if (!isSuccess(status))
             return status;
         robust.solution = solutions.front();
@@ -111,7 +108,7 @@ std::optional<Consensus> searched(const Observations& all, const Correspondences
     return findConsensus(Correspondences(chosenRows(all.points, rows), chosenRows(all.rays, rows)), metrics, options);
 }
 
-Status runRansac(const Input& input, const Measure& measure, const Options& options, const RansacParams& ransac,
+Status runRansac(const Problem& input, const Measure& measure, const Options& options, const RansacParams& ransac,
                  Robust& robust)
 {
     if (!input.finite)
@@ -132,7 +129,7 @@ Status runRansac(const Input& input, const Measure& measure, const Options& opti
     return solveInliers(input.observations, measure, options, consensus->pose, robust);
 }
 
-std::vector<int> callersRows(const Input& input, const std::vector<int>& rows)
+std::vector<int> callersRows(const Problem& input, const std::vector<int>& rows)
 {
     std::vector<int> callers;
     for (const int row : rows)
@@ -140,13 +137,13 @@ std::vector<int> callersRows(const Input& input, const std::vector<int>& rows)
     return callers;
 }
 
-void addInliers(const Input& input, const Robust& robust, OutputArray out, Outputs& outputs)
+void addInliers(const Problem& input, const Robust& robust, OutputArray out, Outputs& outputs)
 {
     if (out.needed())
         outputs.add(Mat(callersRows(input, robust.inliers.rows), true), out, "inliers");
 }
 
-bool solveToResult(Input input, const Measure& measure, const Options& options, const RansacParams& ransac,
+bool solveToResult(Problem input, const Measure& measure, const Options& options, const RansacParams& ransac,
                    Result& result, OutputArray inliers)
 {
     Robust robust;
@@ -164,7 +161,7 @@ bool solveToResult(Input input, const Measure& measure, const Options& options, 
 }
 
 // What a call with a lens measures by.
-Measure measureOf(const Input& input, InputArray imagePoints, const Ptr<CameraModel>& camera, double threshold)
+Measure measureOf(const Problem& input, InputArray imagePoints, const Ptr<CameraModel>& camera, double threshold)
 {
     const Mat_<double> pixels = chosenRows(pointsFrom(imagePoints, 2, "imagePoints"), input.used);
     return pixelMeasure(camera, pixels, input.rayByPixel, threshold > 0 ? threshold : DEFAULT_PIXELS);
@@ -192,9 +189,9 @@ bool solvePnPRansacWith(const Ptr<CameraModel>& camera, InputArray objectPoints,
                         const Params& params)
 {
     checkRansac(ransac, ANY);
-    Options options = checked(params);
-    options.extras = false;  // they could not be returned
-    const Input input = inputPixels(objectPoints, imagePoints, camera, params, true);
+    Options options = optionsFrom(params);
+    options.report = false;  // they could not be returned
+    const Problem input = problemFromPixels(objectPoints, imagePoints, camera, params, true);
     requireEnough(input, 4);
     Robust robust;
     const Measure measure = measureOf(input, imagePoints, camera, ransac.threshold);
@@ -215,8 +212,8 @@ bool solveRansac(InputArray objectPoints, InputArray imagePoints, const Ptr<Came
                  OutputArray inliers, const RansacParams& ransac, const Params& params)
 {
     checkRansac(ransac, ANY);
-    const Options options = checked(params);
-    const Input input = inputPixels(objectPoints, imagePoints, camera, params, true);
+    const Options options = optionsFrom(params);
+    const Problem input = problemFromPixels(objectPoints, imagePoints, camera, params, true);
     return solveToResult(input, measureOf(input, imagePoints, camera, ransac.threshold), options, ransac, result,
                          inliers);
 }
@@ -232,8 +229,8 @@ bool solveRaysRansac(InputArray objectPoints, InputArray rays, Result& result, O
                      const RansacParams& ransac, const Params& params)
 {
     checkRansac(ransac, CV_PI / 2);
-    const Options options = checked(params);
-    const Input input = inputRays(objectPoints, rays, params);
+    const Options options = optionsFrom(params);
+    const Problem input = problemFromRays(objectPoints, rays, params);
     const Measure measure =
         angularMeasure(input.observations.rays, ransac.threshold > 0 ? ransac.threshold : DEFAULT_ANGLE);
     return solveToResult(input, measure, options, ransac, result, inliers);

@@ -5,10 +5,12 @@
 #include "../precomp.hpp"
 
 #include "../arrays/inputs.hpp"
-#include "boundary.hpp"
+#include "options.hpp"
+#include "problem.hpp"
+#include "result.hpp"
 #include "solvepnp.hpp"
 
-// The public functions over the boundary: ours first, then OpenCV's own names.
+// The public functions: ours first, then OpenCV's own names.
 
 namespace cv {
 namespace gmlpnp {
@@ -17,16 +19,15 @@ namespace {
 
 using namespace detail;
 
-int solveEach(const Input& input, Options options, std::vector<Result>& results)
+int solveEvery(const Problem& problem, Options options, std::vector<Result>& results)
 {
-    Status status;
-    std::vector<Solution> solutions;
     options.everyMinimum = true;
-    if (!run(input, options, status, solutions))
+    const Answer answer = answerTo(problem, options);
+    if (!answer)
         return 0;
     std::vector<Result> found;
-    for (const Solution& solution : solutions)
-        found.push_back(toResult(solution, solution.converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS, input));
+    for (const Solution& solution : answer.solutions)
+        found.push_back(toResult(solution, solution.converged ? STATUS_CONVERGED : STATUS_MAX_ROUNDS, problem));
     results.swap(found);
     return static_cast<int>(results.size());
 }
@@ -35,15 +36,15 @@ int solveEach(const Input& input, Options options, std::vector<Result>& results)
 
 bool solveRays(InputArray objectPoints, InputArray rays, Result& result, const Params& params)
 {
-    const Options options = checked(params);
-    return solveOne(inputRays(objectPoints, rays, params), options, result);
+    const Options options = optionsFrom(params);
+    return solveToResult(problemFromRays(objectPoints, rays, params), options, result);
 }
 
 bool solve(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera, Result& result,
            const Params& params)
 {
-    const Options options = checked(params);
-    return solveOne(inputPixels(objectPoints, imagePoints, camera, params), options, result);
+    const Options options = optionsFrom(params);
+    return solveToResult(problemFromPixels(objectPoints, imagePoints, camera, params), options, result);
 }
 
 bool solve(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
@@ -55,8 +56,8 @@ bool solve(InputArray objectPoints, InputArray imagePoints, InputArray cameraMat
 int solveAll(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
              std::vector<Result>& results, const Params& params)
 {
-    const Options options = checked(params);
-    return solveEach(inputPixels(objectPoints, imagePoints, camera, params), options, results);
+    const Options options = optionsFrom(params);
+    return solveEvery(problemFromPixels(objectPoints, imagePoints, camera, params), options, results);
 }
 
 int solveAll(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix, InputArray distCoeffs,
@@ -67,25 +68,24 @@ int solveAll(InputArray objectPoints, InputArray imagePoints, InputArray cameraM
 
 namespace {
 
-Input enoughPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
-                   const Params& params)
+Problem enoughPixels(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
+                     const Params& params, const Options& options)
 {
-    Input input = inputPixels(objectPoints, imagePoints, camera, params);
-    requireEnough(input, params.useExtrinsicGuess ? 3 : 4);
-    return input;
+    Problem problem = problemFromPixels(objectPoints, imagePoints, camera, params);
+    requireEnough(problem, options.fewestPoints());
+    return problem;
 }
 
 bool solveToVectors(InputArray objectPoints, InputArray imagePoints, const Ptr<CameraModel>& camera,
                     const Params& params, OutputArray rvec, OutputArray tvec)
 {
-    Options options = checked(params);
-    options.extras = false;  // they could not be returned
-    Status status;
-    std::vector<Solution> solutions;
-    if (!run(enoughPixels(objectPoints, imagePoints, camera, params), options, status, solutions))
+    Options options = optionsFrom(params);
+    options.report = false;  // it could not be returned
+    const Answer answer = answerTo(enoughPixels(objectPoints, imagePoints, camera, params, options), options);
+    if (!answer)
         return false;
     Outputs outputs;
-    addPose(solutions.front().pose, rvec, tvec, outputs);
+    addPose(answer.best().pose, rvec, tvec, outputs);
     outputs.write();
     return true;
 }
@@ -138,7 +138,8 @@ int solvePnPGeneric(InputArray objectPoints, InputArray imagePoints, InputArray 
     const Params params = paramsOf(flags, useExtrinsicGuess, rvec, tvec);
     const Ptr<CameraModel> camera = CameraModel::pinhole(cameraMatrix, distCoeffs);
     std::vector<Result> results;
-    const int count = solveEach(enoughPixels(objectPoints, imagePoints, camera, params), checked(params), results);
+    const Options options = optionsFrom(params);
+    const int count = solveEvery(enoughPixels(objectPoints, imagePoints, camera, params, options), options, results);
     if (count == 0)
         return 0;
     std::vector<Vec3d> rotations, translations;

@@ -5,14 +5,12 @@
 #include "../precomp.hpp"
 
 #include "../math/cholesky.hpp"
-#include "../noise/tails.hpp"
+#include "../noise/scoring.hpp"
 #include "alternation.hpp"
 
 namespace cv {
 namespace gmlpnp {
 namespace detail {
-
-namespace {
 
 Vector6d gaussNewtonStep(const RaySums& sums)
 {
@@ -23,18 +21,11 @@ Vector6d gaussNewtonStep(const RaySums& sums)
     return H.scale.cwiseProduct(H.matrix.ldlt().solve(-H.scale.cwiseProduct(sums.g)));
 }
 
-constexpr int STEP_HALVINGS = 5;
-
-}  // namespace
-
-// With a fixed noise the cost must fall. With an estimated one L may rise a little: shrinkage and the corrected
-// gradient do not follow it exactly. A rise beyond this [nat per point, at least RISE] is a step gone wrong.
-constexpr double RISE_PER_POINT = 0.05;
-// At the minimum rounding would decide whether the last step counts, and with it the order of the points.
-constexpr double ROUNDING = 1e-13;
-
 bool accepted(bool noiseChanged, const RaySums& before, const RaySums& after, int n)
 {
+    // Rounding: at the minimum it would decide whether the last step counts, and with it the order of the points.
+    constexpr double ROUNDING = 1e-13;
+    constexpr double RISE_PER_POINT = 0.05;  // nat
     if (!noiseChanged)
         return after.misfit <= before.misfit * (1 + ROUNDING);
     return after.L <= before.L + std::max(RISE, RISE_PER_POINT * n) && 2 * after.inFront > n;
@@ -42,138 +33,114 @@ bool accepted(bool noiseChanged, const RaySums& before, const RaySums& after, in
 
 namespace {
 
-// Change of L that the next step promises [nat]: half its slope along the step.
-double promised(const Estimate& now, const Noise& next, const Vector6d& xi)
+// What Algorithm 1 as published does otherwise than the marginal likelihood stands here alone.
+struct Policy
 {
-    const double byPose = 0.5 * std::abs(now.sums.g.dot(xi));
-    if (now.kind == NoiseKind::PUBLISHED)  // its noise does not follow L
-        return byPose;
-    const Matrix3d& R = now.pose.R;
-    const Matrix3d dSigma = R * (next.Sigma - now.noise.Sigma) * R.transpose(), dGamma = next.Gamma - now.noise.Gamma;
-    const double slope =
-        ((now.sums.Zo - now.sums.Go) * dSigma).trace() + ((now.sums.Zb - now.sums.Gb) * dGamma).trace();
-    return byPose + 0.25 * std::abs(slope);
+    LeverArm lever;  // Algorithm 1 turns the points as they are
+    bool followsL;   // its noise is a mean of squared residuals: L neither promises nor ends anything about it
+};
+
+Policy policyOf(NoiseKind kind)
+{
+    return kind == NoiseKind::PUBLISHED ? Policy{LeverArm::AS_GIVEN, false} : Policy{LeverArm::CORRECTED, true};
 }
 
-bool settled(const Estimate& now, const Estimate& next, double promise, double tolerance, int n)
-{
-    if (now.kind == NoiseKind::PUBLISHED)
-        return (next.noise.Sigma - now.noise.Sigma).norm() < tolerance * next.noise.Sigma.norm();
-    // With a fixed noise Gauss-Newton converges fast: a tighter end costs a round and gives the minimum itself.
-    constexpr double FIXED_TOLERANCE = 1e-6;  // nat
-    const bool fixed = isConstant(now.kind) && next.noise.tails.share == 0;
-    return promise < (fixed ? std::min(tolerance, FIXED_TOLERANCE) : tolerance) &&
-           sameTails(now.noise.tails, next.noise.tails, n, tolerance);
-}
-
-// From this many points on a pass costs more than the larger system of Fisher scoring. The first round is MM's, which
-// finds its way from an isotropic start.
+// From this many points on a pass costs more than the larger system of Fisher scoring.
 constexpr int SCORING_POINTS = 200;
 
-// What scoring leaves to do after a round is of second order, so it may stop this much earlier (no figure changes).
+// After a round of scoring the error that is left is of second order, so the rounds may end this much earlier: no
+// figure of doc/lab/ changes.
 constexpr double SCORING_AHEAD = 10;
 
-// The promised change of L below which the sums after the last step are not worth a pass [nat].
-double goodEnough(LastSums last)
+// The promised change of L [nat] below which the sums after the last step are not worth a pass.
+double worthNoPass(SumsNeeded sums)
 {
-    if (last == LastSums::AT_POSE)
-        return 0;
-    return (last == LastSums::NOTHING ? SCORING_AHEAD : 1) * DEFAULT_TOLERANCE;
+    switch (sums) {
+        case SumsNeeded::EXACT:
+            return 0;
+        case SumsNeeded::COMPARABLE:
+            return DEFAULT_TOLERANCE;
+        default:
+            return SCORING_AHEAD * DEFAULT_TOLERANCE;
+    }
 }
 
-// One noise only: for both at once the expected curvature is far from the true one where depths hardly differ.
-Products productsFor(NoiseKind kind)
+// Scoring takes the expected curvature for the true one. Where the noise is all but singular that may lead far off. A
+// rise of L tells [nat per point, at least RISE]; MM has none.
+bool scoringFailed(const RaySums& before, const RaySums& after, int n)
 {
-    return kind == NoiseKind::OBJECT ? OF_OBJECT : kind == NoiseKind::BEARING ? OF_BEARING : NO_PRODUCTS;
-}
-
-bool isIsotropic(const Noise& noise)
-{
-    const auto isScalar = [](const Matrix3d& C) { return (C - C(0, 0) * Matrix3d::Identity()).isZero(0); };
-    return isScalar(noise.Sigma) && isScalar(noise.Gamma);
-}
-
-LeverArm leverArmOf(NoiseKind kind)
-{
-    return kind == NoiseKind::PUBLISHED ? LeverArm::AS_GIVEN : LeverArm::CORRECTED;
-}
-
-// Scoring takes the expected curvature for the true one. Where the noise is all but singular that may lead far off, and
-// a rise of L says so [nat per point, at least RISE]; MM does not.
-bool ledAstray(const RaySums& before, const RaySums& after, int n)
-{
-    constexpr double ASTRAY_PER_POINT = 0.005;
-    return !(after.L <= before.L + std::max(RISE, ASTRAY_PER_POINT * n));
+    constexpr double RISE_PER_POINT = 0.005;
+    return !(after.L <= before.L + std::max(RISE, RISE_PER_POINT * n));
 }
 
 // Moves an estimate, which holds pose, noise and kind at the start, to its end.
 class Alternation
 {
 public:
-    Alternation(const Correspondences& data, const Stopping& stopping, Estimate& now)
+    Alternation(const Correspondences& data, const NoiseStart& start, const FitOptions& options, Estimate& now)
         : data_(data),
-          stopping_(stopping),
+          options_(options),
+          policy_(policyOf(start.kind)),
+          fit_(data, start, options.tails),
           now_(now),
-          isotropicStart_(isIsotropic(now.noise)),
-          c_(stopping.robust ? data.size() : 0),
-          tails_(data.hasKnown() || isConstant(now.kind) || stopping.otherKnown, data.size()),
-          scoring_(data.size() >= SCORING_POINTS),
-          products_(stopping.near ? productsFor(now.kind) : NO_PRODUCTS)
+          scores_(productsFor(start.kind) != NO_PRODUCTS && (frozen() || data.size() >= SCORING_POINTS)),
+          step_(scores_ && frozen() ? NoiseStep::SCORING_FROZEN : NoiseStep::MM)
     {}
 
     void run()
     {
         begin();
-        while (now_.rounds < stopping_.maxRounds && !now_.converged)
+        while (now_.rounds < options_.limits.rounds && !now_.converged)
             round();
     }
 
 private:
+    bool frozen() const { return options_.step == NoiseStep::SCORING_FROZEN; }
+    bool scoresNow() const { return step_ != NoiseStep::MM; }
+
     void begin();
     void round();
-    Noise nextNoise();
-    RaySums pass(const Estimate& at, Products products);
-    Products productsOfRound() const;
-    double tolerance() const;
+    RaySums pass(const Estimate& at, NoiseStep next);
+    NoiseStep nextStep() const;
+    double promised(const Noise& next, const Vector6d& xi) const;
+    bool settled(const Noise& next, double promise, double tolerance) const;
     bool endsHere(const Estimate& next, double promise) const;
     bool falls(Estimate& next, Vector6d xi);
     void end(double promise);
     void leaveScoring();
 
     const Correspondences& data_;
-    const Stopping& stopping_;
+    const FitOptions& options_;
+    const Policy policy_;
+    NoiseFit fit_;
     Estimate& now_;
-    const bool isotropicStart_;
-    std::vector<double> c_;
-    TailSearch tails_;
-    bool scoring_;
-    Products products_;  // that the sums of now_ hold
+    bool scores_;     // whether the noise is scored from the second round on
+    NoiseStep step_;  // that the sums of now_ are good for
 };
 
 void Alternation::begin()
 {
-    now_.sums = pass(now_, products_);
-    if (stopping_.robust && isotropicStart_ && tails_.areWild(now_.sums)) {
-        tails_.update(now_.noise, c_.data(), now_.sums);
-        now_.sums = pass(now_, products_);
-    }
+    // The first pass of a start near its end sums the products that all rounds use.
+    const NoiseStep first = scoresNow() ? NoiseStep::SCORING_SAMPLED : NoiseStep::MM;
+    now_.sums = pass(now_, first);
+    if (fit_.addWildTails(now_.noise, now_.sums))
+        now_.sums = pass(now_, first);
 }
 
 void Alternation::round()
 {
     const Vector6d xi = gaussNewtonStep(now_.sums);
+    const bool scored = scoresNow();
     Estimate next = now_;
     next.rounds++;
-    next.noise = nextNoise();
+    next.noise = fit_.next(now_.noise, now_.sums, now_.pose.R, step_);
     next.pose = perturbed(now_.pose, xi);
-    const bool scored = products_ != NO_PRODUCTS;
-    if (!stopping_.near)
-        products_ = productsOfRound();
-    const double promise = promised(now_, next.noise, xi);
-    next.converged = settled(now_, next, promise, tolerance(), data_.size());
+    step_ = nextStep();
+    const double promise = promised(next.noise, xi);
+    next.converged = settled(next.noise, promise, (scoresNow() ? SCORING_AHEAD : 1) * options_.limits.tolerance);
     if (!endsHere(next, promise)) {
-        next.sums = pass(next, productsOfRound());
-        if (scored && ledAstray(now_.sums, next.sums, data_.size())) {
+        next.sums = pass(next, step_);
+        if (scored && scoringFailed(now_.sums, next.sums, data_.size())) {
             leaveScoring();
             return;
         }
@@ -185,128 +152,104 @@ void Alternation::round()
     now_ = next;
 }
 
-// By scoring where the last pass has summed the products for it.
-Noise Alternation::nextNoise()
+// The first round is one of MM, which finds its way from an isotropic start.
+NoiseStep Alternation::nextStep() const
 {
-    Noise next = products_ ? scoredNoise(now_.kind, now_.noise, now_.sums, now_.pose.R)
-                           : updatedNoise(now_.kind, now_.noise, now_.sums, now_.pose.R, data_.size());
-    if (stopping_.robust && (now_.rounds > 0 || !isotropicStart_))  // anisotropy looks like tails
-        tails_.update(next, c_.data(), now_.sums);
-    return next;
+    return scores_ ? options_.step : NoiseStep::MM;
 }
 
-// Near the end the products of the first pass will do.
-RaySums Alternation::pass(const Estimate& at, Products products)
+// The sums at an estimate, with the products that the next step needs.
+RaySums Alternation::pass(const Estimate& at, NoiseStep next)
 {
-    RaySums sums =
-        rayPass(data_, at.pose, at.noise,
-                {leverArmOf(now_.kind), products, stopping_.robust ? c_.data() : nullptr, stopping_.sampled});
-    if (stopping_.near && products != products_)
-        sums.QQ = now_.sums.QQ;
-    return sums;
+    const bool sums = next == NoiseStep::SCORING || next == NoiseStep::SCORING_SAMPLED;
+    RaySums out = rayPass(data_, at.pose, at.noise,
+                          {policy_.lever, sums ? productsFor(now_.kind) : NO_PRODUCTS, fit_.residuals(),
+                           next == NoiseStep::SCORING_SAMPLED});
+    if (next == NoiseStep::SCORING_FROZEN)
+        out.QQ = now_.sums.QQ;
+    return out;
 }
 
-Products Alternation::productsOfRound() const
+// Change of L that the next step promises [nat]: half its slope along the step of the pose, a quarter along that of the
+// noise, which goes twice as far.
+double Alternation::promised(const Noise& next, const Vector6d& xi) const
 {
-    return scoring_ && !stopping_.near ? productsFor(now_.kind) : NO_PRODUCTS;
+    const double byPose = 0.5 * std::abs(now_.sums.g.dot(xi));
+    if (!policy_.followsL)
+        return byPose;
+    const Matrix3d& R = now_.pose.R;
+    const Matrix3d dSigma = R * (next.Sigma - now_.noise.Sigma) * R.transpose(), dGamma = next.Gamma - now_.noise.Gamma;
+    const double slope =
+        ((now_.sums.Zo - now_.sums.Go) * dSigma).trace() + ((now_.sums.Zb - now_.sums.Gb) * dGamma).trace();
+    return byPose + 0.25 * std::abs(slope);
 }
 
-double Alternation::tolerance() const
+bool Alternation::settled(const Noise& next, double promise, double tolerance) const
 {
-    return (products_ ? SCORING_AHEAD : 1) * stopping_.tolerance;
+    if (!policy_.followsL)
+        return (next.Sigma - now_.noise.Sigma).norm() < tolerance * next.Sigma.norm();
+    // With a fixed noise Gauss-Newton converges fast: a tighter end costs a round and gives the minimum itself.
+    constexpr double FIXED_TOLERANCE = 1e-6;  // nat
+    const bool fixed = isConstant(now_.kind) && next.tails.share == 0;
+    return promise < (fixed ? std::min(tolerance, FIXED_TOLERANCE) : tolerance) &&
+           sameTails(now_.noise.tails, next.tails, data_.size(), tolerance);
 }
 
-// Whether the round is the last and what follows from its sums is not worth a pass.
+// Whether the round is the last and the sums after it are not worth a pass.
 bool Alternation::endsHere(const Estimate& next, double promise) const
 {
-    return (next.converged || next.rounds == stopping_.maxRounds) &&
-           (stopping_.near || promise < goodEnough(stopping_.last));
+    const bool last = next.converged || next.rounds == options_.limits.rounds;
+    return last && (options_.sums == SumsNeeded::ANY || promise < worthNoPass(options_.sums));
 }
 
 // Halves the step as long as it goes wrong; false where it always does.
 bool Alternation::falls(Estimate& next, Vector6d xi)
 {
+    constexpr int HALVINGS = 5;
     const bool noiseChanged = !isConstant(now_.kind) || next.noise.tails.share != now_.noise.tails.share;
     const auto fine = [&] { return accepted(noiseChanged, now_.sums, next.sums, data_.size()); };
-    for (int k = 0; k < STEP_HALVINGS && !fine(); ++k) {
+    for (int k = 0; k < HALVINGS && !fine(); ++k) {
         xi *= 0.5;
         next.pose = perturbed(now_.pose, xi);
-        next.sums = pass(next, productsOfRound());
+        next.sums = pass(next, step_);
     }
     return noiseChanged || fine();
 }
 
-// No step falls any more: this is the minimum, to rounding, or else a place where the quadratic model is none.
+// No step falls any more: either this is the minimum, to rounding, or the quadratic model does not hold here.
 void Alternation::end(double promise)
 {
     constexpr double OF_MISFIT = 1e-9;
-    now_.converged = promise <= std::max(stopping_.tolerance, OF_MISFIT * now_.sums.misfit);
+    now_.converged = promise <= std::max(options_.limits.tolerance, OF_MISFIT * now_.sums.misfit);
     if (!now_.converged)
-        now_.rounds = stopping_.maxRounds;
+        now_.rounds = options_.limits.rounds;
 }
 
-// The pass again where the round began: c_ is that of the pose then.
+// The pass is made again where the round began, because the residuals are those of its end.
 void Alternation::leaveScoring()
 {
-    scoring_ = false;
-    products_ = NO_PRODUCTS;
-    now_.sums = pass(now_, NO_PRODUCTS);
+    scores_ = false;
+    step_ = NoiseStep::MM;
+    now_.sums = pass(now_, step_);
     now_.rounds++;
 }
 
 }  // namespace
 
-Estimate alternate(const Correspondences& data, const Pose& start, const Noise& noise, NoiseKind kind,
-                   const Stopping& stopping)
+Estimate alternate(const Correspondences& data, const Pose& start, const NoiseStart& noise, const FitOptions& options)
 {
     Estimate estimate;
     estimate.pose = start;
-    estimate.noise = noise;
-    estimate.kind = kind;
-    Alternation(data, stopping, estimate).run();
+    estimate.noise = noise.noise;
+    estimate.kind = noise.kind;
+    Alternation(data, noise, options, estimate).run();
     return estimate;
-}
-
-namespace {
-
-// Proposition 1 with the noise of the part.
-Estimate publishedStep(const Correspondences& data, Estimate now)
-{
-    now.sums = rayPass(data, now.pose, now.noise, {LeverArm::AS_GIVEN});
-    now.pose = perturbed(now.pose, gaussNewtonStep(now.sums));
-    now.rounds = 1;
-    return now;
-}
-
-Estimate fewRounds(const Correspondences& data, const Estimate& from, Stopping stopping)
-{
-    constexpr double LEFT = 4;  // nat: what the last step leaves is far less
-    stopping.near = true;
-    stopping.robust = false;
-    stopping.tolerance = std::max(stopping.tolerance, productsFor(from.kind) ? LEFT / SCORING_AHEAD : LEFT);
-    stopping.maxRounds = 3;
-    return alternate(data, from.pose, from.noise, from.kind, stopping);
-}
-
-}  // namespace
-
-Estimate overAll(const Correspondences& data, const Estimate& ofPart, int size, const Stopping& stopping)
-{
-    const bool published = ofPart.kind == NoiseKind::PUBLISHED;
-    Estimate now = published ? publishedStep(data, ofPart) : fewRounds(data, ofPart, stopping);
-    const Vector6d xi = difference(now.pose, ofPart.pose);
-    constexpr double UNLIKELY = 60;  // xi^T H xi is n / size times chi-squared of 6 degrees of freedom
-    const bool far = !(xi.dot(now.sums.H * xi) <= UNLIKELY * data.size() / size);
-    if (far || !(published || now.converged))
-        now = alternate(data, now.pose, now.noise, now.kind, stopping);
-    now.rounds += ofPart.rounds;
-    now.evidence = ofPart.evidence;
-    return now;
 }
 
 Pose isotropicPose(const Correspondences& data, const Pose& start)
 {
-    return alternate(data, start, isotropic(1, 0), NoiseKind::FIXED, {30, 1e-12, false}).pose;
+    constexpr Limits LIMITS = {30, 1e-12};
+    return alternate(data, start, {isotropic(1, 0), NoiseKind::FIXED}, {LIMITS}).pose;
 }
 
 }  // namespace detail

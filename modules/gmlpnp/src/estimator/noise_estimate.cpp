@@ -4,6 +4,8 @@
 
 #include "../precomp.hpp"
 
+#include "../noise/model.hpp"
+#include "../noise/scoring.hpp"
 #include "../noise/tails.hpp"
 #include "noise_estimate.hpp"
 
@@ -88,7 +90,7 @@ Noise scored(const Correspondences& data, const Estimate& found, const Which& so
     Noise noise = found.noise;
     for (int k = 0; k < STEPS; ++k) {
         const RaySums sums = rayPass(data, found.pose, noise);
-        const double f = freedom(data.size());
+        const double f = restriction(data.size());
         Vector12d score;
         score << againstUnits(f * sums.Zo - sums.Go), againstUnits(f * sums.Zb - sums.Gb);
         score = 0.5 * units.entry.cwiseProduct(score);
@@ -121,7 +123,7 @@ void addErrors(const Matrix12d& F, const Units& units, const Which& open, int n,
     Matrix12d A = units.entry.asDiagonal() * F * units.entry.asDiagonal();
     A.diagonal().array() += NOTHING;
     const Matrix12d inverse = restrictedTo(open, A).ldlt().solve(Matrix12d::Identity());
-    const Matrix12d covariance = freedom(n) * (units.entry.asDiagonal() * inverse * units.entry.asDiagonal());
+    const Matrix12d covariance = restriction(n) * (units.entry.asDiagonal() * inverse * units.entry.asDiagonal());
     if (open.object)
         out.objectError = entryDeviations(covariance.topLeftCorner<6, 6>(), R);
     if (open.bearing)

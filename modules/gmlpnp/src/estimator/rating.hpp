@@ -5,18 +5,18 @@
 #ifndef OPENCV_GMLPNP_ESTIMATOR_RATING_HPP
 #define OPENCV_GMLPNP_ESTIMATOR_RATING_HPP
 
-#include "../noise/model.hpp"
+#include "../rays/ray_pass.hpp"
 
 namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** What speaks against a minimum of the isotropic cost [nat]: the least L with object noise or with bearing noise, each
-fitted to the residuals there, and the prior against that kind. The pose is held: on its way an alternation moves it,
-and L where it stops depends on its start by as much as two minima differ by. Both noises at once are left out; what
-they gain and what is asked of them for it change no order. Infinite where there is no L.
-@param robust whether the noise has tails. */
-CV_EXPORTS double costOfMinimum(const Correspondences& data, const Pose& minimum, bool robust);
+/** The cost [nat] of a minimum of the isotropic cost: the least L with object noise or with bearing noise, each fitted
+to the residuals there, plus the prior cost of that kind. The pose is held, because an alternation moves it on its way,
+and L where it stops depends on its start by as much as two minima differ by. Both noises at once are left out: their
+gain and their penalty change no order. The cost is infinite where there is no L.
+@param tails whether the noise has tails. */
+CV_EXPORTS double costOfMinimum(const Correspondences& data, const Pose& minimum, bool tails);
 
 }  // namespace detail
 }  // namespace gmlpnp

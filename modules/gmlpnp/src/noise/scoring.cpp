@@ -6,6 +6,7 @@
 
 #include "../math/cholesky.hpp"
 #include "model.hpp"
+#include "scoring.hpp"
 #include "tails.hpp"
 
 // Fisher scoring of Sigma or of Gamma (doc/theory.md, section 4): with  dL/dC = (G - Z) / 2  and the expected curvature
@@ -17,6 +18,11 @@
 namespace cv {
 namespace gmlpnp {
 namespace detail {
+
+Products productsFor(NoiseKind kind)
+{
+    return kind == NoiseKind::OBJECT ? OF_OBJECT : kind == NoiseKind::BEARING ? OF_BEARING : NO_PRODUCTS;
+}
 
 namespace {
 

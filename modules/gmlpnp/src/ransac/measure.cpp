@@ -4,6 +4,7 @@
 
 #include "../precomp.hpp"
 
+#include "../math/spd3.hpp"
 #include "measure.hpp"
 
 namespace cv {

@@ -5,8 +5,8 @@
 #ifndef OPENCV_GMLPNP_RANSAC_MEASURE_HPP
 #define OPENCV_GMLPNP_RANSAC_MEASURE_HPP
 
-#include "../estimator/solve.hpp"
-#include "search.hpp"
+#include "../rays/observations.hpp"
+#include "metric.hpp"
 
 #include <functional>
 

@@ -5,7 +5,8 @@
 #ifndef OPENCV_GMLPNP_RANSAC_REPEATS_HPP
 #define OPENCV_GMLPNP_RANSAC_REPEATS_HPP
 
-#include "search.hpp"
+#include "../rays/correspondences.hpp"
+#include "metric.hpp"
 
 #include <cstring>
 

@@ -6,7 +6,7 @@
 #define OPENCV_GMLPNP_RANSAC_SCORE_HPP
 
 #include "../rays/ray_pass.hpp"
-#include "search.hpp"
+#include "metric.hpp"
 
 namespace cv {
 namespace gmlpnp {

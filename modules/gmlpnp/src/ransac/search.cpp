@@ -14,24 +14,6 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-Metric pixelMetric(const Eigen::Matrix<double, 3, 2>& rayByPixel, double threshold)
-{
-    const Eigen::Matrix2d N = rayByPixel.transpose() * rayByPixel;
-    const double trace = N.trace(), det = N.determinant();
-    constexpr double SINGULAR = 1e-20;  // a panorama's pole: all pixels of a row are one ray
-    if (det > SINGULAR * trace * trace)
-        return N.inverse() * rayByPixel.transpose() / threshold;
-    return N * rayByPixel.transpose() / (trace * trace * threshold);
-}
-
-Metric angularMetric(const Vector3d& ray, double threshold)
-{
-    Metric B;
-    B.row(0) = ray.unitOrthogonal().transpose();
-    B.row(1) = ray.cross(B.row(0).transpose()).transpose();
-    return B / std::tan(threshold);
-}
-
 namespace {
 
 constexpr int MIN_INLIERS = SAMPLE_SIZE + 1;  // one at least to agree with the sample

@@ -6,23 +6,11 @@
 #define OPENCV_GMLPNP_RANSAC_SEARCH_HPP
 
 #include "../rays/correspondences.hpp"
+#include "metric.hpp"
 
 namespace cv {
 namespace gmlpnp {
 namespace detail {
-
-/** How far a point is from its ray, in any unit, to first order: with X = R p + t the residual of point i is
-
-    e_i = B_i X / (m_i . X),   B_i m_i = 0,   m_i . X > 0
-
-where the 2x3 matrix B_i turns a change of the ray into thresholds. Inliers have |e_i| <= 1. */
-using Metric = Eigen::Matrix<double, 2, 3>;
-
-/** Metric of a lens: the pseudo-inverse of the derivative of the unit ray by the pixel, over the threshold [px]. */
-CV_EXPORTS Metric pixelMetric(const Eigen::Matrix<double, 3, 2>& rayByPixel, double threshold);
-
-/** Metric of an angle: |e_i| = tan(angle) / tan(threshold), so no approximation. threshold < pi/2 [rad]. */
-CV_EXPORTS Metric angularMetric(const Vector3d& ray, double threshold);
 
 struct RansacOptions
 {

@@ -4,8 +4,8 @@
 
 #include "../precomp.hpp"
 
+#include "../kernels/dispatch.hpp"
 #include "correspondences.hpp"
-#include "ray_pass.hpp"
 
 namespace cv {
 namespace gmlpnp {

@@ -7,6 +7,7 @@
 
 #include "../kernels/kernels.hpp"
 #include "../math/spd3.hpp"
+#include "observations.hpp"
 
 namespace cv {
 namespace gmlpnp {
@@ -26,6 +27,10 @@ public:
     CV_EXPORTS Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
                                const Mat_<double>& objectCovariances = {}, const Mat_<double>& rayCovariances = {},
                                bool scaled = false);
+    explicit Correspondences(const Observations& observations)
+        : Correspondences(observations.points, observations.rays, observations.objectCovariances,
+                          observations.rayCovariances, observations.scaled)
+    {}
 
     /** `count` of the points, one drawn from each stretch of the caller's order (always the same ones), with the centre
     and the scale of all: poses and noises of the part are those of the whole. */

@@ -4,8 +4,6 @@
 
 #include "../precomp.hpp"
 
-#include <opencv2/core/utility.hpp>
-
 #include "ray_pass.hpp"
 
 namespace cv {
@@ -52,49 +50,6 @@ PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, cons
         Gamma += data.knownRay(i);
     }
     return pointTerms(data.pointAt(i), data.rayAt(i), pose, pose.R * Sigma * pose.R.transpose(), Gamma, noise.tails);
-}
-
-namespace {
-
-bool available(const RayKernels& kernels)
-{
-    const auto machineHas = [](std::initializer_list<int> features) {
-        return std::all_of(features.begin(), features.end(), checkHardwareSupport);
-    };
-    if (!kernels.pass)
-        return false;
-    if (&kernels == &RAY_KERNELS_AVX512)
-        return machineHas({CV_CPU_AVX_512F, CV_CPU_AVX_512DQ, CV_CPU_AVX_512VL, CV_CPU_AVX512_SKX, CV_CPU_FMA3});
-    return &kernels != &RAY_KERNELS_AVX2 || machineHas({CV_CPU_AVX2, CV_CPU_FMA3});
-}
-
-}  // namespace
-
-const std::vector<const RayKernels*>& availableKernels()
-{
-    // Never destroyed: threads may still solve while the program ends.
-    static const auto* const all = [] {
-        auto* const out = new std::vector<const RayKernels*>;
-        for (const RayKernels* kernels :
-             {&RAY_KERNELS_AVX512, &RAY_KERNELS_AVX2, &RAY_KERNELS_VECTOR, &RAY_KERNELS_SCALAR})
-            if (available(*kernels))
-                out->push_back(kernels);
-        return out;
-    }();
-    return *all;
-}
-
-const RayKernels& rayKernels(int points)
-{
-    for (const RayKernels* kernels : availableKernels())
-        if (kernels->lanes <= points)
-            return *kernels;
-    return RAY_KERNELS_SCALAR;
-}
-
-double logarithm(const ScaledProduct& product)
-{
-    return std::log(product.mantissa) + CV_LOG2 * static_cast<double>(product.exponent);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #ifndef OPENCV_GMLPNP_RAYS_RAY_PASS_HPP
 #define OPENCV_GMLPNP_RAYS_RAY_PASS_HPP
 
+#include "../kernels/dispatch.hpp"
 #include "correspondences.hpp"
 
 namespace cv {
@@ -84,19 +85,11 @@ CV_EXPORTS PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pos
                                  const Matrix3d& Gamma, const Tails& tails = {});
 CV_EXPORTS PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, const Noise& noise);
 
-/** The loops for each instruction set that this machine has, fastest first; the last are scalar. */
-CV_EXPORTS const std::vector<const RayKernels*>& availableKernels();
-/** The fastest whose lanes so many points fill. */
-CV_EXPORTS const RayKernels& rayKernels(int points);
-
 /** R by rows, t: as the kernels take a pose. */
 std::array<double, 12> entriesOf(const Pose& pose);
 
 /** From its upper triangle by rows, as the kernels return it. */
 Matrix6d symmetric6(const double (&entries)[21]);
-
-/** Logarithm of what a kernel multiplied up. */
-CV_EXPORTS double logarithm(const ScaledProduct& product);
 
 /** One pass over the points: it reads, it adds, nothing else. No heap. */
 CV_EXPORTS RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise,

@@ -4,8 +4,8 @@
 
 #include "../test_precomp.hpp"
 
-#include "../../src/estimator/estimate.hpp"
 #include "../../src/estimator/initial_pose.hpp"
+#include "../../src/estimator/kinds_of_noise.hpp"
 #include "../scenes.hpp"
 
 namespace opencv_test {
@@ -62,7 +62,7 @@ Scene farScene(cv::RNG& rng, int n, double noise)
 TEST(Gmlpnp_Estimate, farMinimaAreNotAveraged)
 {
     cv::RNG rng = testRng();
-    const Stopping stopping = defaultStopping(false);
+    const FitOptions options{defaultLimits(false)};
     for (int k = 0; k < 200; ++k) {
         const int n = 20 + k;
         const Scene scene = farScene(rng, n, 0.0025);
@@ -70,12 +70,12 @@ TEST(Gmlpnp_Estimate, farMinimaAreNotAveraged)
         const IsotropicSplit split = splitResiduals(at.data, at.start);
         const auto costOf = [&](NoiseKind kind, const IsotropicNoise& noise, double b) {
             const Noise start{noise.a * Matrix3d::Identity(), b * Matrix3d::Identity(), {}};
-            return alternate(at.data, at.start, start, kind, stopping).sums.L;
+            return alternate(at.data, at.start, {start, kind}, options).sums.L;
         };
         const double worst = std::max({costOf(NoiseKind::OBJECT, split.object, 0),
                                        costOf(NoiseKind::BEARING, split.bearing, split.bearing.b),
                                        costOf(NoiseKind::BOTH, split.both, split.both.b)});
-        const Estimate found = estimateMarginal(at.data, at.start, {}, {}, stopping);
+        const Estimate found = fitMarginal(Subsets(at.data), at.start, {}, {}, options);
         EXPECT_LE(found.sums.L, worst + std::max(5., 0.05 * n)) << "problem " << k;
     }
 }
@@ -89,7 +89,7 @@ TEST(Gmlpnp_Estimate, doesNotRunAwayFromTheIsotropicPose)
     for (int k = 0; k < 300; ++k) {
         const Problem at = problem(farScene(rng, 150, noise));
         const auto staysNear = [&](const KnownNoise& Gamma) {
-            const Pose pose = estimateMarginal(at.data, at.start, {}, Gamma, defaultStopping(false)).pose;
+            const Pose pose = fitMarginal(Subsets(at.data), at.start, {}, Gamma, {defaultLimits(false)}).pose;
             return (pose.R - at.start.R).norm() < 0.3;
         };
         near += staysNear({});
@@ -103,8 +103,8 @@ TEST(Gmlpnp_Estimate, doesNotRunAwayFromTheIsotropicPose)
 TEST(Gmlpnp_Estimate, leavesAnIsotropicPoseThatWrongPointsSpoil)
 {
     cv::RNG rng = testRng();
-    Stopping stopping = defaultStopping(false);
-    stopping.robust = true;
+    FitOptions options{defaultLimits(false)};
+    options.tails = true;
     int spoilt = 0;
     for (int k = 0; k < 100; ++k) {
         Scene scene = paperScene(rng, 60, 0.02, 0);
@@ -116,7 +116,7 @@ TEST(Gmlpnp_Estimate, leavesAnIsotropicPoseThatWrongPointsSpoil)
         if (rotationAngle(at.start.R, truth.R) < 0.3)
             continue;
         spoilt++;
-        const Pose pose = estimateMarginal(at.data, at.start, {}, {}, stopping).pose;
+        const Pose pose = fitMarginal(Subsets(at.data), at.start, {}, {}, options).pose;
         EXPECT_LT(rotationAngle(pose.R, truth.R), 0.05) << k;
     }
     EXPECT_GT(spoilt, 5);
@@ -127,12 +127,12 @@ TEST(Gmlpnp_Estimate, leavesAnIsotropicPoseThatWrongPointsSpoil)
 TEST(Gmlpnp_Estimate, theSpreadOfFarPosesIsNotNegative)
 {
     cv::RNG rng = testRng();
-    Stopping stopping = defaultStopping(false);
-    stopping.maxRounds = 0;
+    FitOptions options{defaultLimits(false)};
+    options.limits.rounds = 0;
     for (int k = 0; k < 300; ++k) {
         Problem at = problem(paperScene(rng, 30, 0.02, 0));
         at.start.t *= std::exp(rng.uniform(0., 100.));
-        EXPECT_GE(estimateMarginal(at.data, at.start, {}, {}, stopping).spread.diagonal().minCoeff(), 0);
+        EXPECT_GE(fitMarginal(Subsets(at.data), at.start, {}, {}, options).spread.diagonal().minCoeff(), 0);
     }
 }
 
@@ -143,16 +143,16 @@ TEST(Gmlpnp_Estimate, choosesTheNoiseThatIsThere)
     for (int k = 0; k < 40; ++k) {
         const Problem pixels = problem(bearingScene(rng, 100, 1));
         bearing +=
-            estimateMarginal(pixels.data, pixels.start, {}, {}, defaultStopping(false)).kind != NoiseKind::OBJECT;
+            fitMarginal(Subsets(pixels.data), pixels.start, {}, {}, {defaultLimits(false)}).kind != NoiseKind::OBJECT;
         const Problem points = problem(paperScene(rng, 200, 0.2, 0));
         object +=
-            estimateMarginal(points.data, points.start, {}, {}, defaultStopping(false)).kind != NoiseKind::BEARING;
+            fitMarginal(Subsets(points.data), points.start, {}, {}, {defaultLimits(false)}).kind != NoiseKind::BEARING;
         Scene mixed = bearingScene(rng, 100, 1);
         for (int i = 0; i < 100; ++i)
             for (int a = 0; a < 3; ++a)
                 mixed.objectPoints(i, a) += rng.gaussian(0.002);
         const Problem mix = problem(mixed);
-        both += estimateMarginal(mix.data, mix.start, {}, {}, defaultStopping(false)).kind == NoiseKind::BOTH;
+        both += fitMarginal(Subsets(mix.data), mix.start, {}, {}, {defaultLimits(false)}).kind == NoiseKind::BOTH;
     }
     EXPECT_EQ(40, bearing);
     EXPECT_GE(object, 37);  // at depths of 4 to 8 the likelihood itself prefers bearings in 1 of 100
@@ -164,7 +164,7 @@ TEST(Gmlpnp_Estimate, publishedCovarianceCollapsesAndIsFinite)
     cv::RNG rng = testRng();
     for (int rounds : {1, 5, 30}) {
         const Problem p = problem(paperScene(rng, 50, 0.1, 1));
-        const Estimate found = estimatePublished(p.data, p.start, {}, {}, {rounds, 0, false});
+        const Estimate found = fitPublished(Subsets(p.data), p.start, {}, {}, {{rounds, 0}});
         EXPECT_EQ(rounds, found.rounds);
         EXPECT_TRUE(found.noise.Sigma.allFinite());
         EXPECT_TRUE(found.sums.H.allFinite());
@@ -179,7 +179,7 @@ TEST(Gmlpnp_Estimate, knownNoiseEndsAtTheMinimum)
         const Scene scene = paperScene(rng, 30, 0.2, 1);
         const Problem p = problem(scene);
         const Matrix3d Sigma = scene.Sigma / (p.data.scale * p.data.scale);
-        const Estimate found = estimatePublished(p.data, p.start, Sigma, {}, defaultStopping(false));
+        const Estimate found = fitPublished(Subsets(p.data), p.start, Sigma, {}, {defaultLimits(false)});
         EXPECT_TRUE(found.converged);
         // A minimum: the gradient is small against its own spread, which is H.
         EXPECT_LT(found.sums.g.dot(found.sums.H.ldlt().solve(found.sums.g)), 1e-4);
@@ -200,9 +200,9 @@ TEST(Gmlpnp_Estimate, aStepThatGoesWrongIsNoConvergence)
                 known(i, 4 * axis) = (i == 0 ? 1e-12 : 1) * 25. / 640000;
         const Correspondences data(scene.objectPoints, scene.rays, {}, known);
         const Noise noise = isotropic(1e-24, 0);
-        const Stopping stopping = defaultStopping(false);
-        const Estimate found = alternate(data, initialPoses(data).at(0).pose, noise, NoiseKind::FIXED, stopping);
-        const Estimate fromTruth = alternate(data, data.fromObject(scene.truth), noise, NoiseKind::FIXED, stopping);
+        const FitOptions options{defaultLimits(false)};
+        const Estimate found = alternate(data, initialPoses(data).at(0).pose, {noise, NoiseKind::FIXED}, options);
+        const Estimate fromTruth = alternate(data, data.fromObject(scene.truth), {noise, NoiseKind::FIXED}, options);
         if (found.sums.L > fromTruth.sums.L + 1e3) {
             misled++;
             EXPECT_FALSE(found.converged) << k;
@@ -216,8 +216,8 @@ TEST(Gmlpnp_Estimate, zeroToleranceRunsAllRounds)
     cv::RNG rng = testRng();
     const Problem p = problem(paperScene(rng, 60, 0.1, 1));
     const Noise start{1e-3 * Matrix3d::Identity(), Matrix3d::Zero(), {}};
-    EXPECT_EQ(13, alternate(p.data, p.start, start, NoiseKind::OBJECT, {13, 0, false}).rounds);
-    EXPECT_LT(alternate(p.data, p.start, start, NoiseKind::OBJECT, {100, 1, false}).rounds, 13);
+    EXPECT_EQ(13, alternate(p.data, p.start, {start, NoiseKind::OBJECT}, {{13, 0}}).rounds);
+    EXPECT_LT(alternate(p.data, p.start, {start, NoiseKind::OBJECT}, {{100, 1}}).rounds, 13);
 }
 
 // A start far away: each step that does not fall is halved, so the isotropic cost comes down in the end.

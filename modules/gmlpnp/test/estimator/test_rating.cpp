@@ -4,9 +4,9 @@
 
 #include "../test_precomp.hpp"
 
-#include "../../src/estimator/estimate.hpp"
 #include "../../src/estimator/initial_pose.hpp"
 #include "../../src/estimator/rating.hpp"
+#include "../../src/noise/model.hpp"
 #include "../scenes.hpp"
 
 namespace opencv_test {
@@ -55,7 +55,7 @@ TEST(Gmlpnp_Rating, isTheLeastCostOfEitherNoise)
         const IsotropicSplit split = splitResiduals(data, minimum);
         const double object = leastCost(data, minimum, NoiseKind::OBJECT, split.object);
         const double bearing = leastCost(data, minimum, NoiseKind::BEARING, split.bearing);
-        const double least = std::min(object + priorAgainst(NoiseKind::OBJECT, split), bearing);
+        const double least = std::min(object + priorCost(NoiseKind::OBJECT, split), bearing);
         const double rated = costOfMinimum(data, minimum, false);
         EXPECT_GT(rated, least - 0.05);
         EXPECT_LT(rated, least + 1);  // nat: the prior weighs two of the hundred points

@@ -6,7 +6,8 @@
 
 #include <functional>
 
-#include "../../src/estimator/estimate.hpp"
+#include "../../src/noise/model.hpp"
+#include "../../src/noise/scoring.hpp"
 #include "fixed_pose.hpp"
 
 namespace opencv_test {
