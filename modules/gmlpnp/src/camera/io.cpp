@@ -2,10 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html
 
-#include "../precomp.hpp"
+#include "calibration_text.hpp"
 
 #include <fstream>
-#include <iterator>
 
 // Cameras from calibration files. Each lens writes itself; here stands what reads them, one line per lens.
 
@@ -174,77 +173,8 @@ String modelOf(const FileNode& map, const String& callers)
     return callers.empty() ? "pinhole" : callers;
 }
 
-// A line of a text file, its blanks in front counted.
-struct Line
-{
-    size_t begin, content, end;
-
-    bool isEmpty(const String& text) const { return content == end || text[content] == '\r' || text[content] == '#'; }
-    bool startsWith(const String& text, const char* word) const { return text.compare(content, 3, word) == 0; }
-    size_t indentation() const { return content - begin; }
-};
-
-Line lineAt(const String& text, size_t begin)
-{
-    const size_t end = std::min(text.find('\n', begin), text.size());
-    return {begin, std::min(text.find_first_not_of(' ', begin), end), end};
-}
-
-// From this line on the first that is not empty; the last line where there is none.
-Line notEmpty(const String& text, Line line)
-{
-    while (line.end < text.size() && line.isEmpty(text))
-        line = lineAt(text, line.end + 1);
-    return line;
-}
-
-// Where the first document starts: below comments and directives, behind the mark.
-Line firstContent(const String& text)
-{
-    Line line = notEmpty(text, lineAt(text, 0));
-    while (line.end < text.size() && text[line.content] == '%')
-        line = notEmpty(text, lineAt(text, line.end + 1));
-    if (!line.startsWith(text, "---"))
-        return line;
-    line.content = std::min(text.find_first_not_of(' ', line.content + 3), line.end);
-    return notEmpty(text, line);
-}
-
-// The first document alone, which must be a mapping of lines that stay inside of it: OpenCV 4.6 looks for the next
-// document forever where it meets a dash instead.
-void keepFirstMapping(String& text)
-{
-    const Line first = firstContent(text);
-    if (first.isEmpty(text) || !(std::isalpha(static_cast<uchar>(text[first.content])) || text[first.content] == '_'))
-        parseError("holds no mapping");
-    for (size_t begin = first.end + 1; begin < text.size();) {
-        const Line line = lineAt(text, begin);
-        begin = line.end + 1;
-        if (line.isEmpty(text) || line.indentation() > first.indentation())
-            continue;
-        if (line.startsWith(text, "...") || line.startsWith(text, "---"))
-            text.erase(line.begin);
-        else if (line.indentation() < first.indentation())
-            parseError("has a line that leaves its mapping");
-    }
-}
-
-// YAML as cv::FileStorage wants it: with its first line, without tabs and comments above it.
-String plainYaml(String text)
-{
-    std::replace(text.begin(), text.end(), '\t', ' ');
-    const Line first = notEmpty(text, lineAt(text, 0));
-    if (first.isEmpty(text))
-        parseError("holds nothing");
-    text.erase(0, first.begin);  // the indentation of the first line counts
-    if (text[0] != '%')
-        text.insert(0, text.compare(0, 3, "---") == 0 ? "%YAML:1.0\n" : "%YAML:1.0\n---\n");
-    keepFirstMapping(text);
-    return text;
-}
-
-// Text of a file as cv::FileStorage wants it.
-String textOf(const String& filename)
+// The bytes of a file, which must be a small one that ends.
+String contentOf(const String& filename)
 {
     std::ifstream file(filename, std::ios::binary);
     if (!file)
@@ -258,15 +188,7 @@ String textOf(const String& filename)
     text.resize(static_cast<size_t>(file.read(&text[0], size + 1).gcount()));
     if (text.size() > static_cast<size_t>(size))  // a device: it has no size, and some no end
         parseError("is not a calibration file");
-    if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
-        text.erase(0, 3);
-    const size_t start = text.find_first_not_of(" \t\r\n");
-    if (start == String::npos || text.find('\0') != String::npos)
-        parseError("is empty or not a text file");
-    // OpenCV 4.6 reads from a null pointer where XML ends within a tag.
-    if (text[start] == '<' && text[text.find_last_not_of(" \t\r\n")] != '>')
-        parseError("ends too early");
-    return text[start] == '<' || text[start] == '{' ? text.substr(start) : plainYaml(text);
+    return text;
 }
 
 }  // namespace
@@ -285,7 +207,7 @@ Ptr<CameraModel> CameraModel::read(const FileNode& node, const String& model)
 Ptr<CameraModel> CameraModel::load(const String& filename, const String& model)
 {
     try {
-        const FileStorage fs(textOf(filename), FileStorage::READ | FileStorage::MEMORY);
+        const FileStorage fs(detail::calibrationText(contentOf(filename)), FileStorage::READ | FileStorage::MEMORY);
         const FileNode root = fs.root();
         if (!root.isMap())
             parseError("holds no mapping");
