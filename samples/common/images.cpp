@@ -17,7 +17,8 @@ namespace samples {
 
 namespace {
 
-//! OpenCV's decoder of DICOM ends the program on a damaged file, and nobody's photographs are of that kind.
+//! The decoder of DICOM (GDCM) in Debian's OpenCV 4.6 ends the program on a damaged file. Photographs are not of that
+//! kind, so that none is tried.
 bool isDicom(const std::string& path)
 {
     constexpr std::streamoff MARK = 128;

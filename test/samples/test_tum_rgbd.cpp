@@ -101,10 +101,21 @@ TEST(TumRgbd, refusesFilesThatAreNoDepthImage)
         std::ofstream(path) << content;
         EXPECT_THROW(readDepthImage(path), std::runtime_error) << content;
     }
-    std::ofstream(path) << std::string(128, '\0') << "DICMC;";  // OpenCV aborts on it
-    EXPECT_THROW(readDepthImage(path), std::runtime_error);
     std::ofstream(path) << "P2 2 1 65535\n1 5000\n";
     EXPECT_EQ(depthAt(readDepthImage(path), {1.0f, 0.0f}), 1.0);
+}
+
+// The picture is a whole PGM, which OpenCV reads by its first bytes. Only a comment gives it the mark of DICOM.
+TEST(TumRgbd, refusesImagesWithTheMarkOfDicom)
+{
+    const std::string path = ::testing::TempDir() + "gmlpnp_tum_marked.pgm", start = "P2\n#";
+    for (const char* const mark : {"DICN", "DICM"}) {
+        std::ofstream(path) << start << std::string(128 - start.size(), ' ') << mark << "\n2 1 65535\n1 5000\n";
+        if (std::string(mark) == "DICM")
+            EXPECT_THROW(readDepthImage(path), std::runtime_error);
+        else
+            EXPECT_EQ(depthAt(readDepthImage(path), {1.0f, 0.0f}), 1.0);
+    }
 }
 
 TEST(TumRgbd, namesTellTheCamera)
