@@ -94,7 +94,7 @@ Dataset opened(const std::string& path)
         fail(path, "cannot be opened as a raster");
     if (dataset->GetRasterCount() == 0)
         fail(path, "no bands");
-    // A damaged header names any size, of the picture or of its blocks, and memory would be taken for it.
+    // A header may name any size, and GDAL and cv::Mat would take the memory for it.
     int width = 0, height = 0;
     dataset->GetRasterBand(1)->GetBlockSize(&width, &height);
     const double pixels = std::max(static_cast<double>(width) * height,
