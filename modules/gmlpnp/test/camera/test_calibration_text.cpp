@@ -23,7 +23,7 @@ void expectRefused(const String& text, const std::string& reason)
     expectError(Error::StsParseError, reason, [&] { calibrationText(text); });
 }
 
-TEST(Gmlpnp_CalibrationText, whole_texts_stay)
+TEST(Gmlpnp_CalibrationText, wholeTextsStay)
 {
     for (const char* text : {kYaml, kXml, "{ \"xi\": 1.25 }\n"}) {
         EXPECT_EQ(calibrationText(text), text);
@@ -31,20 +31,20 @@ TEST(Gmlpnp_CalibrationText, whole_texts_stay)
     }
 }
 
-TEST(Gmlpnp_CalibrationText, yaml_of_other_programs_is_repaired)
+TEST(Gmlpnp_CalibrationText, yamlOfOtherProgramsIsRepaired)
 {
     EXPECT_EQ(calibrationText("a: 1\n"), "%YAML:1.0\n---\na: 1\n");
     EXPECT_EQ(calibrationText("---\na: 1\n"), "%YAML:1.0\n---\na: 1\n");
     EXPECT_EQ(calibrationText("# comment\n\n  a:\t1\n"), "%YAML:1.0\n---\n  a: 1\n");
 }
 
-TEST(Gmlpnp_CalibrationText, yaml_is_cut_behind_its_first_document)
+TEST(Gmlpnp_CalibrationText, yamlIsCutBehindItsFirstDocument)
 {
     for (const char* more : {"...\n", "---\nb: 2\n", "...\n---\nb: 2\n", "...\nb: 2\n"})
         EXPECT_EQ(calibrationText(String(kYaml) + more), kYaml) << more;
 }
 
-TEST(Gmlpnp_CalibrationText, yaml_that_leaves_its_mapping_is_refused)
+TEST(Gmlpnp_CalibrationText, yamlThatLeavesItsMappingIsRefused)
 {
     for (const char* text : {"  a: 1\nb: 2\n", "\t\ta: 1\nb: 2\n", "---\n  a: 1\nb: 2\n", "--- # a\n  a: 1\n b: 2\n",
                              "%YAML:1.0\n---\n  a: 1\n  b: 2\n\n # c\n d: 3\n"})
@@ -52,7 +52,7 @@ TEST(Gmlpnp_CalibrationText, yaml_that_leaves_its_mapping_is_refused)
     EXPECT_EQ(calibrationText("  a: 1\n# b\n"), "%YAML:1.0\n---\n  a: 1\n# b\n");
 }
 
-TEST(Gmlpnp_CalibrationText, yaml_that_is_no_mapping_is_refused)
+TEST(Gmlpnp_CalibrationText, yamlThatIsNoMappingIsRefused)
 {
     for (const char* text :
          {"- 1\n- 2\n", "[ 1, 2 ]\n", "--- [ 1, 2 ]\n", "--- 5\n", "---\n\"a\"\n", "---\n{ a: 1 }\n"})
@@ -61,13 +61,13 @@ TEST(Gmlpnp_CalibrationText, yaml_that_is_no_mapping_is_refused)
         expectRefused(text, "holds nothing");
 }
 
-TEST(Gmlpnp_CalibrationText, xml_ends_with_a_tag)
+TEST(Gmlpnp_CalibrationText, xmlEndsWithATag)
 {
     expectRefused(String(kXml) + "more", "ends too early");
     EXPECT_EQ(calibrationText(String(" \n") + kXml + "\r\n\t "), String(kXml) + "\r\n\t ");
 }
 
-TEST(Gmlpnp_CalibrationText, what_is_no_text_is_refused)
+TEST(Gmlpnp_CalibrationText, whatIsNoTextIsRefused)
 {
     for (const String& text : {String(), String(" \n\t\r\n"), String("a: 1\0", 5)})
         expectRefused(text, "is empty or not a text file");

@@ -63,7 +63,7 @@ std::string calibration(const std::string& K, const std::string& D, const std::s
     return kHeader + K + kK + D + kD + more;
 }
 
-TEST(Gmlpnp_CameraIo, OpenCV_calibrations)
+TEST(Gmlpnp_CameraIo, OpenCVCalibrations)
 {
     const Ptr<CameraModel> pinhole = CameraModel::pinhole(kMatrix, kCoefficients);
     expectSame(readText(calibration("camera_matrix", "distortion_coefficients")), pinhole);
@@ -83,7 +83,7 @@ TEST(Gmlpnp_CameraIo, OpenCV_calibrations)
         omnidir, 110);
 }
 
-TEST(Gmlpnp_CameraIo, what_OpenCV_writes)
+TEST(Gmlpnp_CameraIo, whatOpenCVWrites)
 {
     for (const char* extension : {".yml", ".xml", ".json"}) {
         FileStorage out(extension, FileStorage::WRITE | FileStorage::MEMORY);
@@ -98,7 +98,7 @@ TEST(Gmlpnp_CameraIo, what_OpenCV_writes)
     }
 }
 
-TEST(Gmlpnp_CameraIo, files_without_header_with_tabs_and_comments)
+TEST(Gmlpnp_CameraIo, filesWithoutHeaderWithTabsAndComments)
 {
     const Ptr<CameraModel> pinhole = CameraModel::pinhole(kMatrix, kCoefficients);
     const std::string ros =
@@ -130,7 +130,7 @@ TEST(Gmlpnp_CameraIo, mei)
     expectError(Error::StsParseError, "gamma2", [&] { loadText(broken); });
 }
 
-TEST(Gmlpnp_CameraIo, malformed_files_name_the_field_and_the_file)
+TEST(Gmlpnp_CameraIo, malformedFilesNameTheFieldAndTheFile)
 {
     const auto refuses = [](const std::string& text, const std::string& word, int code = Error::StsParseError) {
         expectError(code, word, [&] { readText(kHeader + text); });
@@ -164,12 +164,12 @@ TEST(Gmlpnp_CameraIo, malformed_files_name_the_field_and_the_file)
     expectError(Error::StsObjectNotFound, "/no/such/file.yml", [] { CameraModel::load("/no/such/file.yml"); });
 }
 
-TEST(Gmlpnp_CameraIo, errors_of_the_parser_name_the_line)
+TEST(Gmlpnp_CameraIo, errorsOfTheParserNameTheLine)
 {
     expectError(Error::StsParseError, ".yml: (4)", [] { loadText("%YAML:1.0\n---\na: 1\n]b\n"); });
 }
 
-TEST(Gmlpnp_CameraIo, of_several_documents_the_first_counts)
+TEST(Gmlpnp_CameraIo, ofSeveralDocumentsTheFirstCounts)
 {
     const std::string whole = calibration("K", "D");
     for (const char* more : {"...\n", "---\nK: 1\n", "...\n---\nK: 1\n", "# a\n\n", "  # a\n...\n"})
@@ -179,13 +179,13 @@ TEST(Gmlpnp_CameraIo, of_several_documents_the_first_counts)
 }
 
 // The message is that of calibrationText(): the parser of OpenCV has not seen the text.
-TEST(Gmlpnp_CameraIo, what_leaves_the_mapping_never_reaches_the_parser)
+TEST(Gmlpnp_CameraIo, whatLeavesTheMappingNeverReachesTheParser)
 {
     expectError(Error::StsParseError, ".yml: has a line that leaves its mapping", [] { loadText("  a: 1\nb: 2\n"); });
 }
 
 // Whatever stands in a file: a camera or a cv::Exception that names the file.
-TEST(Gmlpnp_CameraIo, damaged_files_throw)
+TEST(Gmlpnp_CameraIo, damagedFilesThrow)
 {
     const std::string whole = calibration("K", "D", "xi: 1.25\n");
     for (size_t length = 0; length < whole.size(); length += 3) {
@@ -201,7 +201,7 @@ TEST(Gmlpnp_CameraIo, damaged_files_throw)
 }
 
 // It has no size and no end.
-TEST(Gmlpnp_CameraIo, a_device_is_no_calibration)
+TEST(Gmlpnp_CameraIo, aDeviceIsNoCalibration)
 {
     if (std::ifstream("/dev/zero")) {
         EXPECT_EQ(Error::StsParseError, errorCode([] { CameraModel::load("/dev/zero"); }));
@@ -230,7 +230,7 @@ TEST(Gmlpnp_CameraIo, kitti360)
 }
 
 // The calibration's own board poses reproject its corners to its rms of 0.81 px.
-TEST(Gmlpnp_CameraIo, omnidirectional_chessboard)
+TEST(Gmlpnp_CameraIo, omnidirectionalChessboard)
 {
     const BoardCalibration boards = omnidirChessboard();
     if (boards.views.empty())
