@@ -20,6 +20,7 @@ using cv::gmlpnp::detail::Matrix6d;
 using cv::gmlpnp::detail::Pose;
 using cv::gmlpnp::detail::Vector3d;
 using cv::gmlpnp::detail::Vector6d;
+using synthetic::poseOf;
 
 /** A generator seeded from the name of the running test and its cell: fixed, and another for each. */
 cv::RNG testRng();

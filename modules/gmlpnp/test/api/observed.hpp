@@ -13,7 +13,6 @@
 // Matches of a scene through a lens, some of them wrong, and what RANSAC says of them.
 
 namespace opencv_test {
-
 namespace ransac {
 
 using namespace camera;
@@ -93,7 +92,6 @@ inline void repeat(cv::RNG& rng, Mat_<double>& points, Mat_<double>& pixels, int
 }
 
 }  // namespace ransac
-
 }  // namespace opencv_test
 
 #endif  // OPENCV_TEST_GMLPNP_OBSERVED_HPP

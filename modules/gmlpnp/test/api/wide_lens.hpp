@@ -13,7 +13,6 @@
 // Lenses that see behind the image plane, with their rays computed apart from the code under test.
 
 namespace opencv_test {
-
 namespace wide {
 
 using namespace camera;
@@ -133,7 +132,6 @@ inline WideScene wideScene(cv::RNG& rng, const WideLens& lens, int n)
 }
 
 }  // namespace wide
-
 }  // namespace opencv_test
 
 #endif  // OPENCV_TEST_GMLPNP_WIDE_LENS_HPP

@@ -10,7 +10,6 @@
 // What holds for every lens is asked of each of these.
 
 namespace opencv_test {
-
 namespace camera {
 
 struct Lens
@@ -24,15 +23,14 @@ std::vector<Lens> everyLens();
 
 String lensName(const testing::TestParamInfo<Lens>& info);
 
-}  // namespace camera
-
-class Gmlpnp_Camera : public testing::TestWithParam<camera::Lens>
+class Gmlpnp_Camera : public testing::TestWithParam<Lens>
 {
 protected:
     Ptr<CameraModel> camera = GetParam().make();
-    std::vector<Vec3d> grid = camera::polarGrid(GetParam().maxAngle * camera::kDegree);
+    std::vector<Vec3d> grid = polarGrid(GetParam().maxAngle * kDegree);
 };
 
+}  // namespace camera
 }  // namespace opencv_test
 
 #endif  // OPENCV_TEST_GMLPNP_EVERY_LENS_HPP

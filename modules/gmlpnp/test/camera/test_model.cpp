@@ -151,7 +151,7 @@ TEST_P(Gmlpnp_Camera, writtenAndReadItIsTheSameToTheLastBit)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(/**/, Gmlpnp_Camera, testing::ValuesIn(kLenses), lensName);
+INSTANTIATE_TEST_SUITE_P(/**/, Gmlpnp_Camera, testing::ValuesIn(everyLens()), lensName);
 
 }  // namespace
 }  // namespace opencv_test

@@ -11,7 +11,6 @@
 // Data for the loops of an instruction set, and how nearly two of them agree.
 
 namespace opencv_test {
-
 namespace kernels {
 
 using namespace cv::gmlpnp::detail;
@@ -62,7 +61,6 @@ testing::AssertionResult near(const Matrix& a, const Matrix& b)
 }
 
 }  // namespace kernels
-
 }  // namespace opencv_test
 
 #endif  // OPENCV_TEST_GMLPNP_KERNEL_DATA_HPP

@@ -9,7 +9,6 @@
 #include "../scenes.hpp"
 
 namespace opencv_test {
-
 namespace matching {
 
 using namespace cv::gmlpnp::detail;
@@ -103,7 +102,6 @@ inline Pose near(cv::RNG& rng, const Pose& pose, double size)
 }
 
 }  // namespace matching
-
 }  // namespace opencv_test
 
 #endif  // OPENCV_TEST_GMLPNP_MATCHING_PROBLEM_HPP
