@@ -12,9 +12,9 @@
 #include "common/command_line.hpp"
 #include "common/methods.hpp"
 #include "common/noise_report.hpp"
+#include "common/output_file.hpp"
 #include "common/residual_picture.hpp"
 #include "common/table.hpp"
-#include "output_file.hpp"
 
 namespace {
 

@@ -26,9 +26,9 @@
 #include "common/command_line.hpp"
 #include "common/images.hpp"
 #include "common/object_model.hpp"
+#include "common/output_file.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
-#include "output_file.hpp"
 
 namespace {
 

@@ -16,7 +16,7 @@ case "${1:-}" in
     ;;
 esac
 
-mapfile -d '' files < <(find files modules python samples test \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z)
+mapfile -d '' files < <(find modules python samples test \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z)
 
 if [[ "${1:-}" != --check ]]; then
   clang-format -i "${files[@]}"

@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 if [[ "${1:-}" == --help ]]; then
   cat <<'HELP'
 Usage: scripts/tidy.sh [regular expression of paths]
-Runs clang-tidy over what is in files, modules, python, samples and test (or over the files that match) and cppcheck over
+Runs clang-tidy over what is in modules, python, samples and test (or over the files that match) and cppcheck over
 the module; any finding fails. Needs no build: only its commands, in build/tidy.
 HELP
   exit 0
@@ -18,7 +18,7 @@ cmake --preset clang -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/n
 
 # /usr/bin/python3 by name: run-clang-tidy is part of Debian's clang-tidy and needs no other interpreter. Files that the
 # build generates are left out.
-/usr/bin/python3 /usr/bin/run-clang-tidy -quiet -p build/tidy -j"$(nproc)" "${1:-^$PWD/(files|modules|python|samples|test)/}"
+/usr/bin/python3 /usr/bin/run-clang-tidy -quiet -p build/tidy -j"$(nproc)" "${1:-^$PWD/(modules|python|samples|test)/}"
 
 # Without the headers of OpenCV and Eigen: cppcheck would spend its time there. The macros of OpenCV's bindings are empty.
 cppcheck --quiet --std=c++17 --language=c++ --enable=warning,performance,portability --inline-suppr \

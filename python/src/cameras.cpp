@@ -9,8 +9,8 @@
 #include <opencv2/gmlpnp/camera.hpp>
 
 #include "arrays.hpp"
+#include "common/output_file.hpp"
 #include "module.hpp"
-#include "output_file.hpp"
 
 namespace bindings {
 

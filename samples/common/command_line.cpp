@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "output_file.hpp"
+#include "common/output_file.hpp"
 
 namespace samples {
 

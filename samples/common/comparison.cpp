@@ -8,9 +8,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/output_file.hpp"
 #include "common/statistics.hpp"
 #include "common/table.hpp"
-#include "output_file.hpp"
 
 namespace samples {
 

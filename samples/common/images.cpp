@@ -11,7 +11,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "output_file.hpp"
+#include "common/output_file.hpp"
 
 namespace samples {
 

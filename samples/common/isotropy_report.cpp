@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "common/axes.hpp"
+#include "common/output_file.hpp"
 #include "common/residuals.hpp"
 #include "common/table.hpp"
-#include "output_file.hpp"
 
 namespace samples {
 

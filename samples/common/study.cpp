@@ -12,8 +12,8 @@
 
 #include "common/comparison_picture.hpp"
 #include "common/images.hpp"
+#include "common/output_file.hpp"
 #include "common/progress.hpp"
-#include "output_file.hpp"
 
 namespace samples {
 

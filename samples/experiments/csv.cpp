@@ -9,7 +9,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "output_file.hpp"
+#include "common/output_file.hpp"
 
 namespace experiments {
 

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html
 
-"""Files that come into being as a whole or not at all: files/output_file.hpp for the programs of this folder."""
+"""Files that come into being as a whole or not at all: common/output_file.hpp for the programs of this folder."""
 
 import contextlib
 import os

@@ -12,8 +12,8 @@
 
 #include "common/axes.hpp"
 #include "common/exterior_orientation.hpp"
+#include "common/output_file.hpp"
 #include "common/table.hpp"
-#include "output_file.hpp"
 
 namespace samples {
 

@@ -17,7 +17,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "output_file.hpp"
+#include "common/output_file.hpp"
 
 namespace samples {
 

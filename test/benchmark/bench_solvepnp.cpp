@@ -26,8 +26,8 @@
 #include <string>
 #include <vector>
 
+#include "common/output_file.hpp"
 #include "measuring.hpp"
-#include "output_file.hpp"
 
 namespace {
 

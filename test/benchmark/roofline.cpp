@@ -21,8 +21,8 @@
 
 #include "../../modules/gmlpnp/src/precomp.hpp"
 #include "../../modules/gmlpnp/src/rays/ray_pass.hpp"
+#include "common/output_file.hpp"
 #include "measuring.hpp"
-#include "output_file.hpp"
 
 namespace cv {
 namespace gmlpnp {

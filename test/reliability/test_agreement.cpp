@@ -9,7 +9,7 @@
 
 #include <iostream>
 
-#include "output_file.hpp"
+#include "common/output_file.hpp"
 #include "same_pose.hpp"
 
 namespace {

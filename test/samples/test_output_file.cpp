@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "common/images.hpp"
-#include "output_file.hpp"
+#include "common/output_file.hpp"
 
 namespace {
 

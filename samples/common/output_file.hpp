@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html
 
-#ifndef GMLPNP_FILES_OUTPUT_FILE_HPP
-#define GMLPNP_FILES_OUTPUT_FILE_HPP
+#ifndef GMLPNP_SAMPLES_OUTPUT_FILE_HPP
+#define GMLPNP_SAMPLES_OUTPUT_FILE_HPP
 
 #include <filesystem>
 #include <fstream>
@@ -64,4 +64,4 @@ void writeFile(const std::string& path, const std::function<void(std::ostream&)>
 
 }  // namespace files
 
-#endif  // GMLPNP_FILES_OUTPUT_FILE_HPP
+#endif  // GMLPNP_SAMPLES_OUTPUT_FILE_HPP
