@@ -15,7 +15,7 @@
 #include "common/command_line.hpp"
 #include "common/methods.hpp"
 #include "common/noise_report.hpp"
-#include "common/residual_picture.hpp"
+#include "common/residuals.hpp"
 #include "common/table.hpp"
 
 namespace {
@@ -29,7 +29,7 @@ const char* const kKeys =
     "{@points        |                 | correspondence file (format: samples/common/correspondences.hpp)}"
     "{model          |                 | pinhole or fisheye, where the calibration file does not tell}"
     "{method         | GMLPNP_MARGINAL | GMLPNP or GMLPNP_MARGINAL}"
-    "{picture        |                 | write the residuals as this PNG}";
+    "{residuals      |                 | write the residuals to this CSV file, which samples/python/draw.py draws}";
 
 const Method& ownMethod(const std::string& name)
 {
@@ -135,9 +135,9 @@ int run(const Arguments& arguments)
     std::cout << "\n" << method.name << " also gives\n";
     printNoise(std::cout, result, shownUnit(set.unit), scale.pixelsPerRadian, meanDepth(residuals));
     printBearingNoise(scale);
-    const std::string picture = arguments.get<std::string>("picture");
-    if (!picture.empty())
-        writeResiduals(picture, set, residuals, method.name);
+    const std::string file = arguments.get<std::string>("residuals");
+    if (!file.empty())
+        writeResiduals(file, set, residuals, method.name);
     return 0;
 }
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html
 
 // The camera pose from files of 2D-3D correspondences, by OpenCV's solvers and this module's, with their errors and
-// times; then what only this module gives: the noise of the data and the uncertainty of the pose, also as a picture.
+// times; then what only this module gives: the noise of the data and the uncertainty of the pose.
 
 #include <filesystem>
 #include <iostream>
@@ -13,7 +13,7 @@
 #include "common/methods.hpp"
 #include "common/noise_report.hpp"
 #include "common/output_file.hpp"
-#include "common/residual_picture.hpp"
+#include "common/residuals.hpp"
 #include "common/table.hpp"
 
 namespace {
@@ -26,7 +26,9 @@ const char* const kKeys =
     "{method         |    | only this one: EPNP, ITERATIVE, SQPNP, GMLPNP or GMLPNP_MARGINAL}"
     "{repeat         | 21 | calls per method and file; the time is their median}"
     "{brief          |    | tables only: no noise, no uncertainty}"
-    "{picture        |    | write the residuals as this PNG; with several files the name gets each file's name}"
+    "{residuals      |    | write the residuals to this CSV file, which samples/python/draw.py draws; with several "
+    "files "
+    "the name gets each file's name}"
     "{csv            |    | write all poses and errors to this file}";
 
 //! One line of a table: a method's answer to one file.
@@ -140,7 +142,7 @@ cv::gmlpnp::Result solveInFull(const CorrespondenceSet& set, const Method& metho
     return result;
 }
 
-//! "out.png" becomes "out_<name>.png".
+//! "out.csv" becomes "out_<name>.csv".
 std::string withName(const std::filesystem::path& path, const std::string& name)
 {
     return (path.parent_path() / path.stem()).string() + "_" + name + path.extension().string();
@@ -162,7 +164,7 @@ void writeCsv(const std::string& path, const std::vector<FileRuns>& files)
     });
 }
 
-void report(const FileRuns& file, const Method* method, bool brief, const std::string& picture)
+void report(const FileRuns& file, const Method* method, bool brief, const std::string& residualFile)
 {
     const CorrespondenceSet& set = file.set;
     std::cout << set.name() << ": " << set.objectPoints.size() << " points\n";
@@ -177,8 +179,8 @@ void report(const FileRuns& file, const Method* method, bool brief, const std::s
         std::cout << "\n" << method->name << " also gives\n";
         printNoise(std::cout, result, shownUnit(set.unit), set.cameraMatrix(0, 0), meanDepth(residuals));
     }
-    if (!picture.empty())
-        writeResiduals(picture, set, residuals, method->name);
+    if (!residualFile.empty())
+        writeResiduals(residualFile, set, residuals, method->name);
 }
 
 int run(const Arguments& arguments)
@@ -188,14 +190,16 @@ int run(const Arguments& arguments)
     if (repeat < 1)
         throw std::runtime_error("--repeat must be positive");
     const std::vector<Method> methods = chosenMethods(arguments.get<std::string>("method"));
-    const std::string picture = arguments.get<std::string>("picture"), csv = arguments.get<std::string>("csv");
+    const std::string residuals = arguments.get<std::string>("residuals"), csv = arguments.get<std::string>("csv");
+    if (!residuals.empty() && fullMethod(methods) == nullptr)
+        throw std::runtime_error("--residuals: " + methods.back().name + " estimates no noise to judge them by");
     const bool several = arguments.files.size() > 1;
     std::vector<FileRuns> files;
     for (const std::string& path : arguments.files) {
         std::cout << (files.empty() ? "" : "\n");
         files.push_back(runMethods(path, methods, repeat));
         report(files.back(), fullMethod(methods), arguments.options.has("brief"),
-               several && !picture.empty() ? withName(picture, files.back().set.name()) : picture);
+               several && !residuals.empty() ? withName(residuals, files.back().set.name()) : residuals);
     }
     if (several)
         printSummary(files);

@@ -22,7 +22,6 @@
 #include <opencv2/highgui.hpp>
 #endif
 
-#include "common/canvas.hpp"
 #include "common/command_line.hpp"
 #include "common/images.hpp"
 #include "common/object_model.hpp"
@@ -35,6 +34,8 @@ namespace {
 using namespace samples;
 using cv::gmlpnp::CameraModel;
 using cv::gmlpnp::Result;
+
+const cv::Scalar kBlue(178, 114, 0), kOrange(0, 94, 213), kWhite(255, 255, 255);  // blue, green, red
 
 const char* const kKeys =
     "{help h usage ? |     | print this help}"
@@ -150,17 +151,17 @@ void draw(cv::Mat& frame, const Correspondences& matches, const ObjectModel& mod
           const FramePose& pose)
 {
     for (const cv::Point2d& pixel : matches.imagePoints)
-        cv::circle(frame, pixel, 2, colour::kOrange, -1, cv::LINE_AA);
+        cv::circle(frame, pixel, 2, kOrange, -1, cv::LINE_AA);
     if (!pose.found) {
-        cv::putText(frame, "no pose", {10, 24}, cv::FONT_HERSHEY_SIMPLEX, 0.6, colour::kOrange, 2, cv::LINE_AA);
+        cv::putText(frame, "no pose", {10, 24}, cv::FONT_HERSHEY_SIMPLEX, 0.6, kOrange, 2, cv::LINE_AA);
         return;
     }
     for (const int i : pose.inliers)
-        cv::circle(frame, matches.imagePoints[static_cast<size_t>(i)], 2, colour::kBlue, -1, cv::LINE_AA);
+        cv::circle(frame, matches.imagePoints[static_cast<size_t>(i)], 2, kBlue, -1, cv::LINE_AA);
     cv::gmlpnp::drawPoseUncertainty(frame, camera, pose.result, 10, model.corners, 2);
     const std::string text = std::to_string(pose.inliers.size()) + " of " + std::to_string(pose.matches) +
                              " matches; camera +-" + fixed(uncertainty(pose), 2) + " cm";
-    cv::putText(frame, text, {10, 24}, cv::FONT_HERSHEY_SIMPLEX, 0.6, colour::kWhite, 2, cv::LINE_AA);
+    cv::putText(frame, text, {10, 24}, cv::FONT_HERSHEY_SIMPLEX, 0.6, kWhite, 2, cv::LINE_AA);
 }
 
 // --- Output ---

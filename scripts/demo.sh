@@ -8,7 +8,7 @@ if [[ "${1:-}" == --help ]]; then
 Usage: scripts/demo.sh [file...]
 Installs what is missing, builds into build/demo and runs samples/pose_from_correspondences on correspondence files,
 by default those of samples/data (a hand-held RGB-D camera, 0.1 s from image to image). The first file is reported in
-full and drawn to build/demo/residuals.png; several files then get a table each and their mean errors.
+full and its residuals are drawn to build/demo/residuals.png; several files then get a table each and their mean errors.
 HELP
   exit 0
 fi
@@ -18,7 +18,7 @@ if [[ ${#files[@]} -eq 0 ]]; then
   files=("$root"/samples/data/*.txt)
 fi
 
-bash "$root/scripts/install_deps.sh"
+bash "$root/scripts/install_deps.sh" python3-matplotlib
 build="$root/build/demo"
 mkdir -p "$build"
 echo "Building into build/demo ..."
@@ -32,10 +32,11 @@ if ! {
 fi
 program="$build/samples/pose_from_correspondences"
 
-"$program" --picture="$build/residuals.png" --csv="$build/poses.csv" "${files[0]}"
+"$program" --residuals="$build/residuals.csv" --csv="$build/poses.csv" "${files[0]}"
 if [[ ${#files[@]} -gt 1 ]]; then
   printf '\nAll %d files\n\n' "${#files[@]}"
   "$program" --brief --csv="$build/poses.csv" "${files[@]}"
 fi
+/usr/bin/python3 -B "$root/samples/python/draw.py" "$build/residuals.csv" >/dev/null # Debian's, which has matplotlib
 echo
 echo "Picture of the residuals: build/demo/residuals.png; all poses and errors: build/demo/poses.csv"

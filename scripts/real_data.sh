@@ -16,7 +16,7 @@ fi
 data=${1:-${GMLPNP_DATA:-$root/../shared/data}}
 output=${2:-$root/build/real_data/results}
 
-bash "$root/scripts/install_deps.sh" libgdal-dev
+bash "$root/scripts/install_deps.sh" libgdal-dev python3-matplotlib
 build="$root/build/real_data"
 mkdir -p "$build" "$output"
 echo "Building into build/real_data ..."
@@ -34,7 +34,9 @@ run() {
   local name=$1 program=$2
   shift 2
   printf '\n== %s: %s\n\n' "$name" "$program"
-  "$build/samples/$program" "$@" --residuals --output="$output/$name" || echo "$name: failed"
+  "$build/samples/$program" "$@" --residuals --output="$output/$name" &&
+    /usr/bin/python3 -B "$root/samples/python/draw.py" "$output/$name" || # Debian's, which has matplotlib
+    echo "$name: failed"
 }
 
 present() {

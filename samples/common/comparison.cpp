@@ -170,9 +170,11 @@ void printDifferences(std::ostream& out, const Comparison& comparison, uint64_t 
     }
 }
 
-void writeComparison(const std::string& path, const Comparison& comparison)
+void writeComparison(const std::string& path, const Comparison& comparison, const std::string& title)
 {
     files::writeFile(path, [&](std::ostream& out) {
+        if (!comparison.quantities.empty())
+            out << "# kind errors\n# title " << title << "\n";
         out << "pair,method,points,solved,rx_rad,ry_rad,rz_rad,tx,ty,tz";
         for (const Quantity& quantity : comparison.quantities)
             out << "," << quantity.name << "_" << quantity.unit;

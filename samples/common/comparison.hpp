@@ -57,9 +57,10 @@ errors with its 95 % interval, over the pairs that both solved, and in percent o
 module's errors are smaller. */
 void printDifferences(std::ostream& out, const Comparison& comparison, uint64_t seed);
 
-/** One row a pair and method: what was solved, the pose, the errors, the time.
+/** One row a pair and method: what was solved, the pose, the errors, the time. Where there are errors,
+samples/python/draw.py draws the file.
 @throws std::runtime_error where the file cannot be written. */
-void writeComparison(const std::string& path, const Comparison& comparison);
+void writeComparison(const std::string& path, const Comparison& comparison, const std::string& title);
 
 }  // namespace samples
 

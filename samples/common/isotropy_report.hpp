@@ -25,14 +25,19 @@ struct ObjectFrame
 deviations, and both p-values. */
 void printIsotropy(std::ostream& out, const Isotropy& isotropy, const ObjectFrame& frame, const LengthUnit& unit);
 
-/** Draws the residuals in the three planes of the object frame, with the ellipses that hold 95 % of a normal
-distribution of their second moments and of the isotropic ones, and the second moments as a chequered matrix. */
-cv::Mat drawIsotropy(const std::vector<TrueResidual>& residuals, const Isotropy& isotropy, const std::string& title,
-                     const ObjectFrame& frame, const LengthUnit& unit);
+/** What residuals under the true motion are of. */
+struct ResidualsAbout
+{
+    std::string title;
+    ObjectFrame frame;
+    std::string unit;                           //!< of their lengths
+    const std::vector<std::string>& pairNames;  //!< by TrueResidual::pair
+};
 
-/** One row a residual. @throws std::runtime_error where the file cannot be written. */
-void writeTrueResiduals(const std::string& path, const std::vector<TrueResidual>& residuals,
-                        const std::vector<std::string>& pairNames, const std::string& unit);
+/** One row a residual, with the second moments and the test in the head, for samples/python/draw.py.
+@throws std::runtime_error where the file cannot be written. */
+void writeTrueResiduals(const std::string& path, const std::vector<TrueResidual>& residuals, const Isotropy& isotropy,
+                        const ResidualsAbout& about);
 
 }  // namespace samples
 

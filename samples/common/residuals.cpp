@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/output_file.hpp"
+
 namespace samples {
 
 namespace {
@@ -106,6 +108,32 @@ std::vector<Residual> residualsOf(const cv::gmlpnp::CameraModel& camera, const C
 std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp::Result& result)
 {
     return residualsOf(*set.camera(), set, result);
+}
+
+void writeResiduals(const std::string& path, const CorrespondenceSet& set, const std::vector<Residual>& residuals,
+                    const std::string& method)
+{
+    files::writeFile(path, [&](std::ostream& out) {
+        out << "# kind residuals\n# title " << set.name() << ": " << set.objectPoints.size() << " points, " << method
+            << "\n";
+        if (!set.unit.empty())
+            out << "# unit " << set.unit << "\n";
+        if (!set.imageSize.empty())
+            out << "# image_size " << set.imageSize.width << " " << set.imageSize.height << "\n";
+        if (!residuals.empty())
+            out << cv::format("# squared_radius_95 %.9g\n", residuals[0].reach);
+        out << "u,v,residual_u,residual_v,cov_uu,cov_uv,cov_vv,x,y,z,cov_xx,cov_xy,cov_xz,cov_yy,cov_yz,cov_zz,"
+               "inside\n";
+        for (const Residual& r : residuals) {
+            const cv::Matx22d& P = r.pixelCovariance;
+            const cv::Matx33d& S = r.objectCovariance;
+            out << cv::format("%.10g,%.10g,%.9g,%.9g", r.observed.x, r.observed.y, r.pixels[0], r.pixels[1]);
+            for (const double value : {P(0, 0), P(0, 1), P(1, 1), r.object[0], r.object[1], r.object[2], S(0, 0),
+                                       S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)})
+                out << cv::format(",%.9g", value);
+            out << "," << r.inside << "\n";
+        }
+    });
 }
 
 PixelScale meanPixelScale(const cv::gmlpnp::CameraModel& camera, const std::vector<cv::Point2d>& pixels,

@@ -5,6 +5,7 @@
 #ifndef GMLPNP_SAMPLES_RESIDUALS_HPP
 #define GMLPNP_SAMPLES_RESIDUALS_HPP
 
+#include <string>
 #include <vector>
 
 #include <opencv2/gmlpnp.hpp>
@@ -36,6 +37,12 @@ std::vector<Residual> residualsOf(const cv::gmlpnp::CameraModel& camera, const C
 
 //! With the camera of the set itself.
 std::vector<Residual> residualsOf(const CorrespondenceSet& set, const cv::gmlpnp::Result& result);
+
+/** One row a residual with its covariances, for samples/python/draw.py. Lengths are in the file's unit; the head tells
+it, the size of the picture and the squared radius of the 95 % ellipses.
+@throws std::runtime_error where the file cannot be written. */
+void writeResiduals(const std::string& path, const CorrespondenceSet& set, const std::vector<Residual>& residuals,
+                    const std::string& method);
 
 /** A lens where the pixels are: how many pixels an angle covers differs over the picture. */
 struct PixelScale

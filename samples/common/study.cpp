@@ -10,8 +10,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "common/comparison_picture.hpp"
-#include "common/images.hpp"
 #include "common/output_file.hpp"
 #include "common/progress.hpp"
 
@@ -20,9 +18,8 @@ namespace samples {
 const char* const kStudyKeys =
     "{methods        |    | only these, separated by commas, of EPNP,ITERATIVE,SQPNP,SQPNP+LM,ISOTROPIC,BEARING,GMLPNP,"
     "GMLPNP_MARGINAL}"
-    "{output o       |    | folder for tables, errors and pictures; it is made}"
-    "{residuals      |    | also test the residuals under the true motion for isotropy; with --output draw and write "
-    "them}"
+    "{output o       |    | folder for tables and errors; it is made. samples/python/draw.py draws what is in it}"
+    "{residuals      |    | also test the residuals under the true motion for isotropy; with --output write them}"
     "{repeat         | 1  | calls per method and pair; the time is their median}"
     "{seed           | 1  | of RANSAC, bootstrap and test}";
 
@@ -111,10 +108,8 @@ void reportResiduals(const Study& study, const StudyOptions& options, const std:
     if (options.output.empty())
         return;
     writeText(options.output + "/residuals.md", out.str());
-    writeTrueResiduals(options.output + "/residuals.csv", residuals, study.pairs, "m");
-    writeImage(
-        options.output + "/residuals.png",
-        drawIsotropy(residuals, isotropy, study.title + ": residuals under the true motion", study.frame, study.unit));
+    writeTrueResiduals(options.output + "/residuals.csv", residuals, isotropy,
+                       {study.title + ": residuals under the true motion", study.frame, "m", study.pairs});
 }
 
 }  // namespace
@@ -162,9 +157,7 @@ int runStudy(const Study& study, const StudyOptions& options)
     std::cerr << failures;
     if (!options.output.empty()) {
         writeText(options.output + "/table.md", report + failures);
-        writeComparison(options.output + "/errors.csv", comparison);
-        if (!study.quantities.empty())
-            writeImage(options.output + "/errors.png", drawComparison(comparison, study.title));
+        writeComparison(options.output + "/errors.csv", comparison, study.title);
     }
     const bool any = std::any_of(comparison.trials.begin(), comparison.trials.end(),
                                  [](const Trial& trial) { return trial.failure.empty(); });

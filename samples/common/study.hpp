@@ -49,8 +49,8 @@ struct Study
 /** The rotation's angle [deg] and the distance of the camera's centres [cm], of files in metres. */
 void measureMotion(Study& study);
 
-/** Runs the study: a bar while it runs, then tables on stdout and, in the output folder, table.md, errors.csv,
-errors.png and with --residuals residuals.md, residuals.csv and residuals.png.
+/** Runs the study: a bar while it runs, then tables on stdout and, in the output folder, table.md, errors.csv and
+with --residuals residuals.md and residuals.csv.
 @return the program's exit code: 1 where no pair at all gave correspondences. */
 int runStudy(const Study& study, const StudyOptions& options);
 

@@ -38,10 +38,11 @@ bool localize(const CorrespondenceSet& set, const std::string& name, Localizatio
 @throws std::runtime_error where the file cannot be written. */
 void writeLocalizations(const std::string& path, const std::vector<Localization>& all);
 
-/** The map: hills, the points that were used, the camera; beside it, enlarged, the 95 % region of its position, the
-truth and what each method finds, on the map and in elevation. */
-cv::Mat drawLocalization(const Localization& found, const CorrespondenceSet& set, const Terrain& terrain,
-                         const std::vector<Method>& methods, const std::vector<Outcome>& outcomes);
+/** What the map of a picture shows, for samples/python/draw.py: the points that were used, the camera with the
+covariance of its position, the truth and what each method finds. The ground is written beside it as `.asc`, first.
+@throws std::runtime_error where a file cannot be written. */
+void writeMap(const std::string& path, const Localization& found, const CorrespondenceSet& set, const Terrain& terrain,
+              const std::vector<Method>& methods, const std::vector<Outcome>& outcomes);
 
 }  // namespace samples
 

@@ -231,8 +231,7 @@ int run(const Arguments& arguments)
             return;
         all.push_back(found);
         if (!studied.output.empty())
-            writeImage(studied.output + "/map_" + found.name + ".png",
-                       drawLocalization(found, set, terrain, studied.methods, outcomes));
+            writeMap(studied.output + "/map_" + found.name + ".csv", found, set, terrain, studied.methods, outcomes);
     };
     const int code = runStudy(study, studied);
     if (!all.empty())

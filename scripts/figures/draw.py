@@ -6,9 +6,10 @@ import sys
 
 import numpy as np
 
-from panels import (CENTRE, LABELS, OURS, ROTATION, TRANSLATION, draw_errors, draw_ratios, ellipse, errors_and_ratios,
+from panels import (CENTRE, LABELS, OURS, ROTATION, TRANSLATION, draw_errors, draw_ratios, errors_and_ratios,
                     legend_right, plain_log, plt, ratio_bars, ticks_between)
-from results import Results, distinct, series, style
+from figure_style import ellipse, style
+from results import Results, distinct, series
 
 
 def points(results):
@@ -132,9 +133,10 @@ def case(results):
             cloud = [p for p in clouds if p["kind"] == kind]
             ax.scatter([p["xyz"[pair[0]]] for p in cloud], [p["xyz"[pair[1]]] for p in cloud], s=7, linewidths=0,
                        color=colours[kind], alpha=0.55)
-            ax.add_patch(ellipse(C["noise"], pair, edgecolor=colours["noise"], linewidth=1.6))
+            ax.add_patch(ellipse(C["noise"][np.ix_(pair, pair)], edgecolor=colours["noise"], linewidth=1.6))
             if kind != "noise":
-                ax.add_patch(ellipse(C[kind], pair, edgecolor=colours[kind], linewidth=1.8, linestyle="--"))
+                ax.add_patch(ellipse(C[kind][np.ix_(pair, pair)], edgecolor=colours[kind], linewidth=1.8,
+                                     linestyle="--"))
             ax.set_aspect("equal")
             if row == 0:
                 ax.set_title(title)

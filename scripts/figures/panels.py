@@ -1,15 +1,19 @@
 """What the pictures of the experiments are made of."""
 
+import pathlib
+import sys
+
 import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import to_rgba
-from matplotlib.patches import Ellipse
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter
 
-from results import distinct, series, style
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "samples" / "python"))
+from figure_style import SETTINGS, style
+from results import distinct, series
 
 ROTATION, TRANSLATION, CENTRE = "rotation_deg", "translation_percent", "centre_m"
 LABELS = {
@@ -19,11 +23,7 @@ LABELS = {
 }
 OURS = ["GMLPnP", "GMLPnP marginal", "GMLPnP*"]
 
-plt.rcParams.update({
-    "font.size": 9, "axes.titlesize": 10, "legend.fontsize": 8.5, "axes.grid": True, "grid.color": "#e4e4e4",
-    "grid.linewidth": 0.6, "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True,
-    "svg.hashsalt": "gmlpnp", "svg.fonttype": "path", "figure.facecolor": "white", "path.simplify": True,
-})
+plt.rcParams.update(SETTINGS)
 
 
 def plain_log(axis, ticks=None):
@@ -115,11 +115,3 @@ def ratio_bars(results, name, metrics, limits):
     fig.text(0.5, 0.005, "filled: rotation; hollow: camera centre; arrow: beyond the picture", ha="center", fontsize=8.5)
     fig.tight_layout(rect=(0, 0.03, 1, 1))
     return fig
-
-
-def ellipse(C, axes, **kwargs):
-    """The 95 % ellipse of two coordinates."""
-    values, vectors = np.linalg.eigh(C[np.ix_(axes, axes)])
-    width, height = 2 * np.sqrt(5.991 * np.maximum(values, 0))
-    return Ellipse((0, 0), width, height, angle=np.degrees(np.arctan2(vectors[1, 0], vectors[0, 0])), fill=False,
-                   **kwargs)

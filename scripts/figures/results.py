@@ -1,30 +1,7 @@
-"""The CSV files of gmlpnp_experiments, and how a solver looks everywhere."""
+"""The CSV files of gmlpnp_experiments."""
 
 import csv
 import pathlib
-
-# Ours in strong colours that readers with any colour vision tell apart (Okabe and Ito); the solvers that are told the
-# true noise dashed.
-STYLES = {
-    "EPnP": dict(color="#999999", marker="o"),
-    "BA": dict(color="#56B4E9", marker="s"),
-    "PPnP": dict(color="#8C6D31", marker="v"),
-    "SQPnP": dict(color="#000000", marker="D"),
-    "CPnP": dict(color="#F0A0C8", marker="^"),
-    "UPnP": dict(color="#C5B000", marker="<"),
-    "MLPnP": dict(color="#7B4FB5", marker="P", linestyle="--"),
-    "REPPnP": dict(color="#B0B0B0", marker="x"),
-    "EPnPU": dict(color="#5FA55A", marker=">", linestyle="--"),
-    "DLSU": dict(color="#2F7F7F", marker="X", linestyle="--"),
-    "GMLPnP": dict(color="#E69F00", marker="o", linewidth=2.2, zorder=5),
-    "GMLPnP marginal": dict(color="#D55E00", marker="o", linewidth=2.2, zorder=6),
-    "GMLPnP marginal, object noise only": dict(color="#CC79A7", marker="d", linewidth=2.2, zorder=5),
-    "GMLPnP*": dict(color="#0072B2", marker="*", linewidth=2.2, linestyle="--", zorder=4),
-}
-
-
-def style(solver):
-    return dict(dict(linewidth=1.2, linestyle="-", markersize=4, markeredgewidth=0.8), **STYLES[solver])
 
 
 class Results:

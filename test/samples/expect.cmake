@@ -10,6 +10,28 @@ function(expect code pattern)
   endif()
 endfunction()
 
+# Draws a file of data, or all of a folder: the pictures named are there, a file has its own beside it. Without
+# matplotlib nothing is drawn.
+function(expect_drawn data)
+  if(NOT PYTHON)
+    message("not drawn, no matplotlib: ${data}")
+    return()
+  endif()
+  get_filename_component(folder ${data} DIRECTORY)
+  get_filename_component(stem ${data} NAME_WLE)
+  set(names ${stem}.png)
+  if(IS_DIRECTORY ${data})
+    set(folder ${data})
+    set(names ${ARGN})
+  endif()
+  expect(0 "\\.png\n" ${PYTHON} -B ${DRAW} ${data})
+  foreach(name ${names})
+    if(NOT EXISTS ${folder}/${name})
+      message(FATAL_ERROR "no ${folder}/${name}")
+    endif()
+  endforeach()
+endfunction()
+
 # Two files that runs with another number of threads must write alike.
 function(expect_same one other)
   file(READ ${one} first)

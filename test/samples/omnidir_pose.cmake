@@ -1,4 +1,4 @@
-# The committed view of a catadioptric camera: a pose, its noise and a picture; unusable files: exit code 1 and a message.
+# The committed view of a catadioptric camera: a pose, its noise and its residuals; unusable files: exit code 1 and a message.
 include(${CMAKE_CURRENT_LIST_DIR}/expect.cmake)
 
 set(camera ${SAMPLES_DATA}/omnidir/chessboard_camera.yml)
@@ -6,10 +6,13 @@ set(points ${SAMPLES_DATA}/omnidir/chessboard_09.txt)
 
 # The calibration's own rms of this view is 0.977 px.
 expect(0 "54 points, 0 without a ray; up to 1[0-9][0-9]\\.[0-9] degrees.*root mean square: 0\\.9[78].*Sigma.*Gamma"
-       ${PROGRAM} ${camera} ${points} --picture=${WORK_DIR}/residuals.png)
-if(NOT EXISTS ${WORK_DIR}/residuals.png)
-  message(FATAL_ERROR "no picture")
+       ${PROGRAM} ${camera} ${points} --residuals=${WORK_DIR}/residuals.csv)
+file(STRINGS ${WORK_DIR}/residuals.csv rows REGEX "^[0-9]")
+list(LENGTH rows count)
+if(NOT count EQUAL 54)
+  message(FATAL_ERROR "${count} rows in residuals.csv, expected 54")
 endif()
+expect_drawn(${WORK_DIR}/residuals.csv)
 expect(0 "Gamma in the picture, mean over the pixels: standard deviations 0\\.[0-9]+ px.*1 mrad is 0\\.[0-9]+ px"
        ${PROGRAM} ${camera} ${points})
 expect(0 "GMLPNP also gives" ${PROGRAM} ${camera} ${points} --method=GMLPNP)
@@ -31,4 +34,4 @@ file(WRITE ${WORK_DIR}/few.txt "0 0 0 600 400\n1 0 0 700 400\n0 1 0 600 500\n")
 expect(1 "few.txt:3: the file ends after 3 points" ${PROGRAM} ${camera} ${WORK_DIR}/few.txt)
 file(WRITE ${WORK_DIR}/line.txt "0 0 0 600 400\n1 0 0 610 400\n2 0 0 620 400\n3 0 0 630 400\n4 0 0 640 400\n")
 expect(1 "line.txt: no pose by GMLPNP_MARGINAL" ${PROGRAM} ${camera} ${WORK_DIR}/line.txt)
-expect(1 "cannot be written" ${PROGRAM} ${camera} ${points} --picture=${WORK_DIR}/missing/residuals.png)
+expect(1 "cannot be written" ${PROGRAM} ${camera} ${points} --residuals=${WORK_DIR}/missing/residuals.csv)

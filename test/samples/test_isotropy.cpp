@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <sstream>
 
-#include "common/isotropy.hpp"
+#include "common/isotropy_report.hpp"
 
 namespace {
 
@@ -132,6 +134,27 @@ TEST(Isotropy, findsTheDirectionOfTheNoise)
 TEST(Isotropy, needsResiduals)
 {
     EXPECT_THROW(testIsotropy({}, 1), std::runtime_error);
+}
+
+TEST(Isotropy, residualsAreWrittenWithTheTest)
+{
+    const std::vector<TrueResidual> residuals = {{0, {1, 2, 3}, {0.5, 0, 0}, {0, 0, 1}, 7}};
+    Isotropy isotropy;
+    isotropy.moments = cv::Matx33d::diag(cv::Vec3d(0.25, 0, 0));
+    isotropy.isotropic = cv::Matx33d::diag(cv::Vec3d(0.125, 0.125, 0));
+    isotropy.distance = 0.5;
+    isotropy.pairsP = 0.25;
+    const std::string path = ::testing::TempDir() + "gmlpnp_true_residuals.csv";
+    const std::vector<std::string> pairs = {"pair"};
+    writeTrueResiduals(path, residuals, isotropy, {"study", {"map", {"east", "north", "up"}}, "m", pairs});
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    EXPECT_EQ(text.str(),
+              "# kind isotropy\n# title study\n# frame map\n# axes east north up\n# unit m\n"
+              "# moments 0.25 0 0 0 0 0 0 0 0\n# isotropic 0.125 0 0 0 0.125 0 0 0 0\n# distance 0.5\n# p_residuals 1\n"
+              "# p_pairs 0.25\n# Object frame; e leads from the ray to the object point.\n"
+              "pair,X,Y,Z,ex,ey,ez,depth,ray_x,ray_y,ray_z\n"
+              "pair,1,2,3,0.5,0,0,7,0.000000000,0.000000000,1.000000000\n");
 }
 
 }  // namespace

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <map>
+#include <sstream>
 
 #include <gdal_priv.h>
 
@@ -255,6 +258,46 @@ TEST(Localization, covarianceMeasuresTheTruthsDistance)
     found.covariance = cv::Matx33d::diag(cv::Vec3d(4.0, 1.0, 9.0));
     found.truth = cv::Vec3d(2.0, -1.0, 3.0);
     EXPECT_NEAR(found.squaredDistance(), 3.0, 1e-12);
+}
+
+TEST(Localization, mapCarriesTheGroundAndThePlaces)
+{
+    const Terrain terrain(waves());
+    Localization found;
+    found.name = "photo_by_ortho";
+    found.points = 2;
+    found.centre = cv::Vec3d(kOrigin.x + 500.0, kOrigin.y - 500.0, 950.0);
+    found.covariance = cv::Matx33d(4.0, 0.5, 0.0, 0.5, 1.0, 0.0, 0.0, 0.0, 9.0);
+    CorrespondenceSet set;
+    set.objectPoints = {{kOrigin.x + 300.0, kOrigin.y - 700.0, 120.0}, {kOrigin.x + 700.0, kOrigin.y - 300.0, 130.0}};
+    const std::string path = ::testing::TempDir() + "gmlpnp_map.csv";
+    writeMap(path, found, set, terrain, {}, {});
+
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    EXPECT_EQ(text.str(),
+              "# kind map\n# title photo_by_ortho: 2 points\n# unit m\n# terrain gmlpnp_map.asc\n"
+              "# covariance 4 0.5 0 0.5 1 0 0 0 9\nwhat,name,easting,northing,elevation\n"
+              "centre,GMLPNP_MARGINAL,500500.0000,3999500.0000,950.0000\n"
+              "point,,500300.0000,3999300.0000,120.0000\npoint,,500700.0000,3999700.0000,130.0000\n");
+
+    // 1.2 times the 400 m between the points, in cells of the terrain's 10 m.
+    std::ifstream ground(::testing::TempDir() + "gmlpnp_map.asc");
+    std::map<std::string, double> head;
+    for (int i = 0; i < 6; ++i) {
+        std::string key;
+        ground >> key >> head[key];
+    }
+    EXPECT_EQ(head["ncols"], 48.0);
+    EXPECT_EQ(head["cellsize"], 10.0);
+    EXPECT_EQ(head["xllcorner"], kOrigin.x + 260.0);
+    EXPECT_EQ(head["yllcorner"], kOrigin.y - 740.0);
+    int cells = 0;
+    for (double z = 0.0; ground >> z; ++cells)
+        EXPECT_NEAR(
+            z, terrain.elevation({kOrigin.x + 265.0 + 10.0 * (cells % 48), kOrigin.y - 265.0 - 10.0 * (cells / 48)}),
+            0.006);
+    EXPECT_EQ(cells, 48 * 48);
 }
 
 }  // namespace

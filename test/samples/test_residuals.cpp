@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 
-#include "common/residual_picture.hpp"
 #include "common/residuals.hpp"
 
 namespace {
@@ -150,22 +152,41 @@ TEST(Residuals, bearingNoiseInPixels)
     EXPECT_EQ(meanPixelScale(*camera, {}, Gamma).pixelsPerRadian, 0.0);
 }
 
-TEST(ResidualPicture, drawsWhateverItGets)
+TEST(Residuals, areWrittenInARowEach)
 {
-    const LengthUnit unit = shownUnit("m");
     const cv::gmlpnp::Result result = resultWith(kSigma, kGamma);
-    const cv::gmlpnp::Result exact = resultWith(cv::Matx33d::zeros(), cv::Matx33d::zeros());
-    CorrespondenceSet set = sceneOf(result, 50, 1.0);
-    const cv::Mat blank = drawResiduals(set, {}, "", unit),
-                  drawn = drawResiduals(set, residualsOf(set, result), "", unit);
-    ASSERT_EQ(drawn.size(), blank.size());
-    EXPECT_GT(cv::norm(drawn, blank, cv::NORM_L1), 0.0);
-    // No noise at all, one pixel far away, all pixels in one place.
-    EXPECT_FALSE(drawResiduals(set, residualsOf(set, exact), "", unit).empty());
-    set.imagePoints[0] = {1e9, -1e9};
-    EXPECT_FALSE(drawResiduals(set, residualsOf(set, result), "", unit).empty());
-    set.imagePoints.assign(set.imagePoints.size(), {320, 240});
-    EXPECT_FALSE(drawResiduals(set, residualsOf(set, result), "", unit).empty());
+    CorrespondenceSet set = sceneOf(result, 30, 1.0);
+    set.unit = "m";
+    set.imageSize = {640, 480};
+    const std::vector<Residual> residuals = residualsOf(set, result);
+    const std::string path = ::testing::TempDir() + "gmlpnp_residuals.csv";
+    writeResiduals(path, set, residuals, "GMLPNP");
+    std::ifstream stream(path);
+    std::string head, line;
+    while (std::getline(stream, line) && line[0] == '#')
+        head += line + "\n";
+    EXPECT_EQ(head,
+              "# kind residuals\n# title scene: 30 points, GMLPNP\n# unit m\n# image_size 640 480\n"
+              "# squared_radius_95 5.99146455\n");
+    EXPECT_EQ(line,
+              "u,v,residual_u,residual_v,cov_uu,cov_uv,cov_vv,x,y,z,cov_xx,cov_xy,cov_xz,cov_yy,cov_yz,cov_zz,"
+              "inside");
+    for (const Residual& r : residuals) {
+        std::vector<double> row;
+        ASSERT_TRUE(std::getline(stream, line));
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            row.push_back(std::stod(cell));
+        ASSERT_EQ(row.size(), 17u) << line;
+        EXPECT_NEAR(row[0], r.observed.x, 1e-6);
+        EXPECT_NEAR(row[3], r.pixels[1], 1e-6);
+        EXPECT_NEAR(row[6], r.pixelCovariance(1, 1), 1e-6);
+        EXPECT_NEAR(row[9], r.object[2], 1e-6);
+        EXPECT_NEAR(row[14], r.objectCovariance(1, 2), 1e-9);
+        EXPECT_EQ(row[16] != 0.0, r.inside);
+    }
+    EXPECT_FALSE(std::getline(stream, line));
+    EXPECT_THROW(writeResiduals(::testing::TempDir() + "missing_folder/x.csv", set, residuals, ""), std::runtime_error);
 }
 
 }  // namespace

@@ -13,11 +13,13 @@ set(out ${WORK_DIR}/out)
 expect(0 "2 pairs, 0 without.*GMLPNP_MARGINAL \\| +2 \\| +0 \\| +0\\.[01][0-9]+ .*position \\[m\\].*GMLPNP_MARGINAL \\| +2 \\| +0 \\| +0\\.[01][0-9]+ \\| +0\\.[01][0-9]+ \\| +[0-9]\\.[0-9]+ .*The truth lies"
        ${PROGRAM} ${ngi}/${first}.tif ${ngi}/${second}.tif --reference=${ngi}/${first}.tif,${ngi}/${second}.tif ${map}
        ${methods} --residuals --output=${out})
-foreach(name table.md errors.csv errors.png residuals.md residuals.png positions.csv map_${first}_by_${second}.png)
+foreach(name table.md errors.csv residuals.md residuals.csv positions.csv map_${first}_by_${second}.csv
+        map_${first}_by_${second}.asc)
   if(NOT EXISTS ${out}/${name})
     message(FATAL_ERROR "no ${name}")
   endif()
 endforeach()
+expect_drawn(${out} errors.png residuals.png map_${first}_by_${second}.png map_${second}_by_${first}.png)
 
 # An orthophoto of the second photograph, then without any true pose: positions only.
 expect(0 "pixels of 6\\.[0-9]+ m" ${MAKE_ORTHOPHOTO} ${ngi}/${second}.tif ${WORK_DIR}/ortho.tif ${map})
