@@ -21,7 +21,7 @@ Pose withTranslation(const Correspondences& data, const Matrix3d& R)
     Matrix3d A = Matrix3d::Zero();
     Vector3d b = Vector3d::Zero();
     for (int i = 0; i < data.size(); ++i) {
-        const Matrix3d Q = Matrix3d::Identity() - data.rayAt(i) * data.rayAt(i).transpose();
+        const Matrix3d Q = Matrix3d::Identity() - data.scaledRayAt(i) * data.scaledRayAt(i).transpose();
         A += Q;
         b -= Q * (R * data.pointAt(i));
     }

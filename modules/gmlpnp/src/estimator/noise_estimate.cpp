@@ -37,7 +37,7 @@ struct Units
     {
         double depth2 = 0, depth4 = 0;
         for (int i = 0; i < data.size(); ++i) {
-            const double s = data.rayAt(i).dot(pose * data.pointAt(i)), s2 = s * s;
+            const double s = data.scaledRayAt(i).dot(pose * data.pointAt(i)), s2 = s * s;
             depth2 += s2 / data.size();
             depth4 += s2 * s2 / data.size();
         }

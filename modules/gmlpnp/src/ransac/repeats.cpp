@@ -18,8 +18,8 @@ constexpr int NONE = -1;
 bool nearRay(const Correspondences& data, const std::vector<Metric>& metrics, int i, int j)
 {
     constexpr double NEAR = 0.25;  // orientations of one keypoint are up to a pixel or two apart, thresholds several
-    const Vector3d ray = data.rayAt(i);
-    const double s = ray.dot(data.rayAt(j).normalized());
+    const Vector3d ray = data.unitRayAt(i);
+    const double s = ray.dot(data.unitRayAt(j));
     return s > 0 && (metrics[j] * ray).squaredNorm() <= NEAR * NEAR * s * s;
 }
 

@@ -78,7 +78,7 @@ private:
 };
 
 using DistinctPoints = Distinct<&Correspondences::pointAt>;
-using DistinctRays = Distinct<&Correspondences::rayAt>;
+using DistinctRays = Distinct<&Correspondences::scaledRayAt>;
 
 /** Rows of which none repeats another: of matches of one object point to nearly the same ray only the first. They are
 inliers together, so a search among all of them takes the most repeated for the most agreed with. Object points near

@@ -20,7 +20,7 @@ ScoredPoints::ScoredPoints(const Correspondences& data, const std::vector<Metric
         std::swap(order_[i], order_[rng.uniform(0, i + 1)]);
     for (int row = 0; row < size(); ++row) {
         const int i = order_[row];
-        columns_.row(row) << data.pointAt(i).transpose(), data.rayAt(i).transpose(), metrics[i].row(0),
+        columns_.row(row) << data.pointAt(i).transpose(), data.unitRayAt(i).transpose(), metrics[i].row(0),
             metrics[i].row(1);
     }
 }

@@ -122,7 +122,7 @@ public:
         Triple p, m;
         for (int k = 0; k < SAMPLE_SIZE; ++k) {
             p[k] = data_.pointAt(sample[k]);
-            m[k] = data_.rayAt(sample[k]);
+            m[k] = data_.unitRayAt(sample[k]);
         }
         ++drawn_;
         if (thin(p))

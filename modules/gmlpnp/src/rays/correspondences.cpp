@@ -38,84 +38,109 @@ void liftSingular(Rows rows, int along)
 
 }  // namespace
 
-Correspondences::Correspondences(const Mat_<double>& objectPoints, const Mat_<double>& rays,
-                                 const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances,
-                                 bool scaled_)
-    : columns(objectPoints.rows, 6), scaled(scaled_)
+Correspondences::Correspondences(const Observations& observations)
+    : columns_(observations.points.rows, 6), scaled_(observations.scaled)
 {
     using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>;
-    columns << Rows(objectPoints[0], size(), 3), Rows(rays[0], size(), 3);
-    centre = columns.leftCols<3>().colwise().mean();
-    prepare(centre);
-    scale = std::sqrt((sums.scatter[0] + sums.scatter[3] + sums.scatter[5]) / size());
+    columns_ << Rows(observations.points[0], size(), 3), Rows(observations.rays[0], size(), 3);
+    normalise();
     if (!std::isnormal(scale))  // not finite() or degenerate()
         return;
-    columns.leftCols<3>() *= 1 / scale;
-    for (double& entry : sums.scatter)
-        entry /= scale * scale;
+    setKnown(observations.objectCovariances, observations.rayCovariances);
+}
 
-    setKnown(objectCovariances, rayCovariances);
-    if (!scaled)
+// Centres and scales the points, and looks at all columns once.
+void Correspondences::normalise()
+{
+    centre = columns_.leftCols<3>().colwise().mean();
+    prepare(centre);
+    scale = std::sqrt((sums_.scatter[0] + sums_.scatter[3] + sums_.scatter[5]) / size());
+    if (!std::isnormal(scale))
         return;
-    columns.rightCols<3>() = Rows(rays[0], size(), 3);
-    if (hasKnown())
-        known.rightCols<6>().array().colwise() /= columns.rightCols<3>().rowwise().squaredNorm().array();
+    columns_.leftCols<3>() *= 1 / scale;
+    for (double& entry : sums_.scatter)
+        entry /= scale * scale;
 }
 
 void Correspondences::setKnown(const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances)
 {
     if (objectCovariances.empty() && rayCovariances.empty())
         return;
-    known.setZero(size(), 12);
+    known_.setZero(size(), 12);
     constexpr int UPPER[6] = {0, 1, 2, 4, 5, 8};  // of a row-major 3x3
     for (int i = 0; i < size(); ++i)
         for (int k = 0; k < 6; ++k) {
             if (!objectCovariances.empty())
-                known(i, k) = objectCovariances(i, UPPER[k]) / (scale * scale);
+                known_(i, k) = objectCovariances(i, UPPER[k]) / (scale * scale);
             if (!rayCovariances.empty())
-                known(i, 6 + k) = rayCovariances(i, UPPER[k]);
+                known_(i, 6 + k) = rayCovariances(i, UPPER[k]);
         }
     if (!objectCovariances.empty())
-        liftSingular(known.leftCols<6>(), 0);
+        liftSingular(known_.leftCols<6>(), 0);
     if (!rayCovariances.empty())
-        liftSingular(known.rightCols<6>(), 1);
+        liftSingular(known_.rightCols<6>(), 1);
+    if (scaled_)
+        known_.rightCols<6>().array().colwise() /= columns_.rightCols<3>().rowwise().squaredNorm().array();
 }
 
+// The kernel judges unit rays. Rays with an angular scale get their length back.
 void Correspondences::prepare(const Vector3d& origin)
 {
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> rays =
+        scaled_ ? columns_.rightCols<3>() : Eigen::Matrix<double, Eigen::Dynamic, 3>();
     double *point[3], *ray[3];
     for (int axis = 0; axis < 3; ++axis) {
-        point[axis] = columns.col(axis).data();
-        ray[axis] = columns.col(3 + axis).data();
+        point[axis] = columns_.col(axis).data();
+        ray[axis] = columns_.col(3 + axis).data();
     }
-    rayKernels(size()).prepare(point, ray, size(), origin.data(), sums);
+    rayKernels(size()).prepare(point, ray, size(), origin.data(), sums_);
+    if (scaled_)
+        columns_.rightCols<3>() = rays;
 }
 
 double Correspondences::logAngularScales() const
 {
-    return scaled ? 0.5 * columns.rightCols<3>().rowwise().squaredNorm().array().log().sum() : 0;
+    return scaled_ ? 0.5 * columns_.rightCols<3>().rowwise().squaredNorm().array().log().sum() : 0;
+}
+
+Correspondences Correspondences::gathered(const std::vector<int>& rows) const
+{
+    Correspondences out;
+    const int count = static_cast<int>(rows.size());
+    out.scaled_ = scaled_;
+    out.columns_.resize(count, 6);
+    out.known_.resize(hasKnown() ? count : 0, 12);
+    for (int k = 0; k < count; ++k) {
+        out.columns_.row(k) = columns_.row(rows[k]);
+        if (hasKnown())
+            out.known_.row(k) = known_.row(rows[k]);
+    }
+    return out;
 }
 
 Correspondences Correspondences::part(int count) const
 {
-    Correspondences out;
-    out.centre = centre;
-    out.scale = scale;
-    out.columns.resize(count, 6);
-    out.known.resize(hasKnown() ? count : 0, 12);
     RNG rng(0x9e3779b9);  // not every k-th: points often come in rows of a grid
+    std::vector<int> rows(count);
     for (int k = 0; k < count; ++k) {
         const int64 first = static_cast<int64>(k) * size() / count, end = static_cast<int64>(k + 1) * size() / count;
-        const int i = rng.uniform(static_cast<int>(first), static_cast<int>(end));
-        out.columns.row(k) = columns.row(i);
-        if (hasKnown())
-            out.known.row(k) = known.row(i);
+        rows[k] = rng.uniform(static_cast<int>(first), static_cast<int>(end));
     }
-    const Eigen::Matrix<double, Eigen::Dynamic, 3> rays = out.columns.rightCols<3>();
+    Correspondences out = gathered(rows);
+    out.centre = centre;
+    out.scale = scale;
     out.prepare(Vector3d::Zero());
-    out.scaled = scaled;
-    if (scaled)
-        out.columns.rightCols<3>() = rays;
+    return out;
+}
+
+Correspondences Correspondences::subset(const std::vector<int>& rows) const
+{
+    Correspondences out = gathered(rows);
+    out.normalise();
+    if (hasKnown())
+        out.known_.leftCols<6>() /= out.scale * out.scale;
+    out.centre = centre + scale * out.centre;
+    out.scale *= scale;
     return out;
 }
 
@@ -123,18 +148,18 @@ PointArrays Correspondences::arrays() const
 {
     PointArrays out{};
     for (int axis = 0; axis < 3; ++axis) {
-        out.point[axis] = columns.col(axis).data();
-        out.ray[axis] = columns.col(3 + axis).data();
+        out.point[axis] = columns_.col(axis).data();
+        out.ray[axis] = columns_.col(3 + axis).data();
     }
     for (int entry = 0; entry < 12 && hasKnown(); ++entry)
-        out.known[entry] = known.col(entry).data();
+        out.known[entry] = known_.col(entry).data();
     out.size = size();
     return out;
 }
 
 Matrix3d Correspondences::knownAt(int i, int first) const
 {
-    const Eigen::Matrix<double, 1, 6> entries = known.row(i).segment<6>(first);
+    const Eigen::Matrix<double, 1, 6> entries = known_.row(i).segment<6>(first);
     return symmetric(entries.data());
 }
 
@@ -142,7 +167,7 @@ bool Correspondences::finite() const
 {
     // Sums of squares are finite for anything below 1e150 and not for NaN and infinity; covariances need room as well.
     constexpr double LARGEST = 1e100;
-    return scale < LARGEST && std::isfinite(sums.ray2) && std::isfinite(sums.inverse2);
+    return scale < LARGEST && std::isfinite(sums_.ray2) && std::isfinite(sums_.inverse2);
 }
 
 bool Correspondences::degenerate() const
@@ -150,11 +175,11 @@ bool Correspondences::degenerate() const
     constexpr double SMALLEST = 1e-100;  // of covariances below nothing would be left
     if (!(scale > SMALLEST))
         return true;
-    const Vector3d spread = Eigen3d(symmetric(sums.scatter), Eigen::EigenvaluesOnly).eigenvalues();
+    const Vector3d spread = Eigen3d(symmetric(sums_.scatter), Eigen::EigenvaluesOnly).eigenvalues();
     // Rounding of coordinates far from the origin looks like spread too.
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * centre.norm() / scale;
     const double line = std::max(COLLINEAR, rounding);
-    return spread(1) <= line * line * spread(2) || sums.apart2 <= PARALLEL * PARALLEL;
+    return spread(1) <= line * line * spread(2) || sums_.apart2 <= PARALLEL * PARALLEL;
 }
 
 // The fewest distinct places stand first in most data: a few comparisons end the search.

@@ -49,7 +49,8 @@ PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, cons
         Sigma += data.knownObject(i);
         Gamma += data.knownRay(i);
     }
-    return pointTerms(data.pointAt(i), data.rayAt(i), pose, pose.R * Sigma * pose.R.transpose(), Gamma, noise.tails);
+    return pointTerms(data.pointAt(i), data.scaledRayAt(i), pose, pose.R * Sigma * pose.R.transpose(), Gamma,
+                      noise.tails);
 }
 
 namespace {

@@ -67,7 +67,7 @@ TEST(Gmlpnp_RayKernels, smallLoopsAgreeWithTheirDefinition)
             double logTails[TRIED_TAILS] = {}, wc[TRIED_TAILS] = {}, logVariance = 0, wxy = 0, misfit = 0;
             Matrix3d Q = Matrix3d::Zero(), yzQ = Matrix3d::Zero();
             for (int i = 0; i < n; ++i) {
-                const Vector3d m = data.rayAt(i), p = data.pointAt(i), X = pose * p;
+                const Vector3d m = data.scaledRayAt(i), p = data.pointAt(i), X = pose * p;
                 const double s2 = m.dot(X) * m.dot(X), v2 = 0.5 * m.cross(X).squaredNorm(), variance = 0.3 + 0.7 * s2;
                 EXPECT_TRUE(near(s2, x[i], 100 * X.squaredNorm()));
                 EXPECT_TRUE(near(v2, y[i], 100 * X.squaredNorm()));

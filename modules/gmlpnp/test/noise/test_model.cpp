@@ -87,7 +87,7 @@ TEST(Gmlpnp_NoiseModel, publishedUpdateIsTheCovarianceOfTheObjectResiduals)
     const Matrix3d information = noise.Sigma.inverse();
     Matrix3d mean = Matrix3d::Zero();
     for (int i = 0; i < at.data.size(); ++i) {
-        const Vector3d q = at.data.pointAt(i) + R.transpose() * at.pose.t, m = R.transpose() * at.data.rayAt(i);
+        const Vector3d q = at.data.pointAt(i) + R.transpose() * at.pose.t, m = R.transpose() * at.data.scaledRayAt(i);
         const double s = q.dot(information * m) / m.dot(information * m);  // Eq. (6)
         const Vector3d e = q - s * m;
         mean += e * e.transpose() / at.data.size();

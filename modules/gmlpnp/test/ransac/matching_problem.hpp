@@ -23,7 +23,7 @@ struct MatchingProblem
         : scene(std::move(given)), data(withOutliers(rng, scene, outliers), scene.rays)
     {
         for (int i = 0; i < data.size(); ++i)
-            metrics.push_back(angularMetric(data.rayAt(i), 0.01));
+            metrics.push_back(angularMetric(data.scaledRayAt(i), 0.01));
     }
 
     static cv::Mat_<double> withOutliers(cv::RNG& rng, Scene& scene, double share)
@@ -39,7 +39,7 @@ struct MatchingProblem
     std::optional<Eigen::Vector2d> residual(const Pose& pose, int i) const
     {
         const Vector3d X = pose * data.pointAt(i);
-        const double s = data.rayAt(i).dot(X);
+        const double s = data.scaledRayAt(i).dot(X);
         if (s > 0)
             return Eigen::Vector2d(metrics[i] * X / s);
         return std::nullopt;

@@ -34,7 +34,7 @@ TEST(Gmlpnp_Ransac, repeatsArePointsWithNearlyTheSameRay)
     const Correspondences data(points, rays);
     std::vector<Metric> metrics;
     for (int i = 0; i < data.size(); ++i)
-        metrics.push_back(angularMetric(data.rayAt(i).normalized(), THRESHOLD));
+        metrics.push_back(angularMetric(data.unitRayAt(i), THRESHOLD));
     EXPECT_EQ((std::vector<int>{0, 3, 4, 6, 7}), withoutRepeats(data, metrics));
 }
 
@@ -65,7 +65,7 @@ TEST(Gmlpnp_Ransac, manyMatchesOfOnePointTakeNoLongerThanOthers)
     const Correspondences data(scene.objectPoints, scene.rays);
     std::vector<Metric> metrics;
     for (int i = 0; i < N; ++i)
-        metrics.push_back(angularMetric(data.rayAt(i).normalized(), 1e-6));
+        metrics.push_back(angularMetric(data.unitRayAt(i), 1e-6));
     EXPECT_GE(static_cast<int>(withoutRepeats(data, metrics).size()), N - 10);
 }
 

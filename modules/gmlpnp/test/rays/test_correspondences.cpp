@@ -29,7 +29,7 @@ TEST(Gmlpnp_Correspondences, areCentredScaledAndUnit)
     for (int i = 0; i < data.size(); ++i) {
         mean += data.pointAt(i) / data.size();
         square += data.pointAt(i).squaredNorm() / data.size();
-        EXPECT_NEAR(data.rayAt(i).norm(), 1, 1e-15);
+        EXPECT_NEAR(data.scaledRayAt(i).norm(), 1, 1e-15);
     }
     EXPECT_TRUE(matrixNear(mean, Vector3d::Zero(), 1e-12));
     EXPECT_NEAR(square, 1, 1e-12);
@@ -103,7 +103,7 @@ TEST(Gmlpnp_Correspondences, aPartIsOfTheWholeAndSpreadOverIt)
             ++i;
         ASSERT_LT(i, all.size());
         EXPECT_LE(i - first, 7);
-        EXPECT_LT((all.rayAt(i) - part.rayAt(k)).norm(), 1e-15);
+        EXPECT_LT((all.scaledRayAt(i) - part.scaledRayAt(k)).norm(), 1e-15);
     }
 }
 
