@@ -21,16 +21,16 @@ namespace detail {
 //
 // Where only the pose is asked for, they are asked of a small part of many points first, and of all points at the end.
 
-namespace {
-
-Status check(const Correspondences& data, const Options& options)
+Status check(const Correspondences& data, int fewest)
 {
     if (!data.finite())
         return STATUS_NOT_FINITE;
     if (data.degenerate())
         return STATUS_DEGENERATE;
-    return data.hasPlaces(options.fewestPoints()) ? STATUS_CONVERGED : STATUS_TOO_FEW_POINTS;
+    return data.hasPlaces(fewest) ? STATUS_CONVERGED : STATUS_TOO_FEW_POINTS;
 }
+
+namespace {
 
 FitOptions fitOptions(const Options& options, const StartingPoses& starts)
 {
@@ -82,11 +82,10 @@ void sortByLikelihood(std::vector<Estimate>& found)
             found[k].poseEvidence = evidenceOf(k, found, L);
 }
 
-// The distinct poses, best first; one alone where the best minimum was chosen beforehand.
-std::vector<Estimate> fitMinima(const Subsets& data, const Options& options)
+// The distinct poses to which the starts lead, best first; one alone where the best start was chosen beforehand.
+std::vector<Estimate> fitAll(const Subsets& data, const StartingPoses& starts, const Options& options)
 {
     const Correspondences& all = data[data.count() - 1];
-    const StartingPoses starts = startingPoses(data.first(), options);
     const FitOptions fitting = fitOptions(options, starts);
     std::vector<Estimate> found;
     for (const Start& start : starts.poses) {
@@ -104,29 +103,41 @@ std::vector<Estimate> fitMinima(const Subsets& data, const Options& options)
     return found;
 }
 
-std::vector<Estimate> fitBySubsets(const Correspondences& data, const Options& options)
+// By way of a part of the points where that is enough, or else of all of them.
+// @param startsOf the starting poses for these points.
+template <class StartsOf>
+std::vector<Estimate> fitPoses(const Correspondences& data, const Options& options, const StartsOf& startsOf)
 {
     const bool poseOnly = !options.report && !options.everyMinimum && !options.Sigma && !options.Gamma;
-    if (!poseOnly || !options.bySubsets)
-        return {};
-    const Subsets subsets = Subsets::growing(data, options.marginal());
-    return subsets.count() > 1 && !subsets.first().degenerate() ? fitMinima(subsets, options) : std::vector<Estimate>();
+    std::vector<Estimate> found;
+    if (poseOnly && options.bySubsets) {
+        const Subsets subsets = Subsets::growing(data, options.marginal());
+        if (subsets.count() > 1 && !subsets.first().degenerate())
+            found = fitAll(subsets, startsOf(subsets.first()), options);
+    }
+    return found.empty() ? fitAll(Subsets(data), startsOf(data), options) : found;
 }
 
 }  // namespace
+
+std::optional<Estimate> fitNear(const Correspondences& data, const Pose& start, const Options& options)
+{
+    const std::vector<Estimate> found =
+        fitPoses(data, options, [&](const Correspondences& points) { return startNear(points, start); });
+    return found.empty() ? std::nullopt : std::optional<Estimate>(found.front());
+}
 
 Status solveMinima(const Observations& observations, const Options& options, std::vector<Solution>& solutions)
 {
     if (observations.points.rows < options.fewestPoints())
         return STATUS_TOO_FEW_POINTS;
     const Correspondences data(observations);
-    const Status status = check(data, options);
+    const Status status = check(data, options.fewestPoints());
     if (!isSuccess(status))
         return status;
 
-    std::vector<Estimate> found = fitBySubsets(data, options);
-    if (found.empty())
-        found = fitMinima(Subsets(data), options);
+    std::vector<Estimate> found =
+        fitPoses(data, options, [&](const Correspondences& points) { return startingPoses(points, options); });
     if (found.empty())
         return STATUS_DEGENERATE;
     if (!options.everyMinimum)

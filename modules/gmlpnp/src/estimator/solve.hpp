@@ -18,6 +18,13 @@ inline bool isSuccess(int status)
     return status == STATUS_CONVERGED || status == STATUS_MAX_ROUNDS;
 }
 
+/** STATUS_CONVERGED where a pose may follow, or why none can.
+@param fewest places that the points must be at. */
+Status check(const Correspondences& data, int fewest);
+
+/** The pose to which the method leads from a start, in the units of `data`; none where it leads to no pose. */
+std::optional<Estimate> fitNear(const Correspondences& data, const Pose& start, const Options& options);
+
 /** The poses that the observations give, best first, each with its noise; the best alone unless Options::everyMinimum.
 @param solutions untouched where the status is no success. */
 CV_EXPORTS Status solveMinima(const Observations& observations, const Options& options,

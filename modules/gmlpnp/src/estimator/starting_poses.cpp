@@ -23,6 +23,8 @@ bool canBeRated(const Correspondences& data, const Options& options)
     return options.marginal() && !options.everyMinimum && !known && data.size() >= MIN_POINTS_COVARIANCE;
 }
 
+constexpr double NO_OTHER = std::numeric_limits<double>::infinity();  // evidence where no other minimum is known
+
 // Largest ratio of the costs at which another minimum is still within EVIDENCE nat. The noise is estimated, or known,
 // from the n - 3 pairs of coordinates that the pose leaves.
 double plausibleRatio(int n)
@@ -63,11 +65,15 @@ RatedMinimum rated(const Correspondences& data, const Options& options, const Po
 
 }  // namespace
 
+StartingPoses startNear(const Correspondences& data, const Pose& pose)
+{
+    return {{{isotropicPose(data, pose), NO_OTHER}}, false};
+}
+
 StartingPoses startingPoses(const Correspondences& data, const Options& options)
 {
-    constexpr double NO_OTHER = std::numeric_limits<double>::infinity();
     if (options.guess)
-        return {{{isotropicPose(data, data.fromObject(*options.guess)), NO_OTHER}}, false};
+        return startNear(data, data.fromObject(*options.guess));
     const double plausible = options.report ? plausibleRatio(data.size()) : 1;
     const std::vector<PoseCandidate> minima = initialPoses(data, std::max(ratioLookedAt(data, options), plausible),
                                                            std::max(CERTIFIED_COST_RATIO, plausible));

@@ -30,6 +30,9 @@ struct StartingPoses
 /** The minima from which poses are sought, or the one that the guess leads to. */
 CV_EXPORTS StartingPoses startingPoses(const Correspondences& data, const Options& options);
 
+/** The minimum of the isotropic cost near a pose. */
+StartingPoses startNear(const Correspondences& data, const Pose& pose);
+
 /** By how much one of several is likelier than the best other [nat].
 @param costOf the negative log-likelihood of an element [nat]. */
 template <class Elements, class Cost>

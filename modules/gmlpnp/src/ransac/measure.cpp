@@ -82,13 +82,12 @@ Measure pixelMeasure(const Ptr<CameraModel>& camera, const Mat_<double>& pixels,
     return measure;
 }
 
-Inliers inliersOf(const Observations& observations, const Measure& measure, const Pose& pose)
+Inliers inliersOf(const Correspondences& data, const Measure& measure, const Pose& pose)
 {
     Inliers inliers{{}, 0};
-    for (int i = 0; i < observations.points.rows; ++i) {
-        const double *p = observations.points[i], *m = observations.rays[i];
-        const Vector3d ray = Vector3d(m[0], m[1], m[2]).normalized(), X = pose * Vector3d(p[0], p[1], p[2]);
-        const double s = ray.dot(X);
+    for (int i = 0; i < data.size(); ++i) {
+        const Vector3d X = pose * data.pointAt(i);
+        const double s = data.unitRayAt(i).dot(X);
         if (!(s > 0))
             continue;
         const double e2 = measure.exact(i, X, (measure.metrics[i] * X).squaredNorm() / (s * s));

@@ -5,7 +5,7 @@
 #ifndef OPENCV_GMLPNP_RANSAC_MEASURE_HPP
 #define OPENCV_GMLPNP_RANSAC_MEASURE_HPP
 
-#include "../rays/observations.hpp"
+#include "../rays/correspondences.hpp"
 #include "metric.hpp"
 
 #include <functional>
@@ -36,7 +36,8 @@ struct Inliers
     double sumOfSquares;    //!< of their residuals, thresholds^2
 };
 
-Inliers inliersOf(const Observations& observations, const Measure& measure, const Pose& pose);
+/** The correspondences within the threshold at a pose in their own units. */
+Inliers inliersOf(const Correspondences& data, const Measure& measure, const Pose& pose);
 
 /** What a threshold leaves of the variance of Gaussian noise in the picture (residuals of two dimensions):
 
