@@ -115,6 +115,9 @@ Options optionsFrom(const Params& params)
     options.Gamma = knownNoise(params.bearingNoise, "bearingNoise");
     options.limits = limitsFrom(params, !options.marginal() && !options.Sigma);
     options.tails = params.robust && options.marginal();
+    // With fewer rounds than the default a subset could not hand on a pose that is near its end.
+    options.bySubsets =
+        params.maxRounds == 0 || (options.marginal() && params.maxRounds >= defaultLimits(false).rounds);
     checkNotAllZero(options, params);
     return options;
 }

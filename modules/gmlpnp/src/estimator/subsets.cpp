@@ -55,7 +55,7 @@ Estimate fewRounds(const Correspondences& data, const Estimate& from, FitOptions
     options.tails = false;
     options.limits.tolerance =
         std::max(options.limits.tolerance, productsFor(from.kind) != NO_PRODUCTS ? LEFT_BY_SCORING : LEFT);
-    options.limits.rounds = ROUNDS;
+    options.limits.rounds = std::min(ROUNDS, options.limits.rounds);
     return alternate(data, from.pose, {from.noise, from.kind}, options);
 }
 
@@ -69,14 +69,25 @@ bool byChance(const Estimate& now, const Pose& ofSubset, double ratio)
 
 }  // namespace
 
+// The one step of the published method comes on top of its rounds, which are always the same few.
 Estimate extended(const Correspondences& data, const Estimate& fromSubset, int size, const FitOptions& options)
 {
     const bool published = fromSubset.kind == NoiseKind::PUBLISHED;
-    Estimate now = published ? publishedStep(data, fromSubset) : fewRounds(data, fromSubset, options);
+    FitOptions rest = options;
+    if (!published)
+        rest.limits.rounds -= fromSubset.rounds;
+    if (rest.limits.rounds < 1)
+        return fromSubset;
+    Estimate now = published ? publishedStep(data, fromSubset) : fewRounds(data, fromSubset, rest);
+    int rounds = fromSubset.rounds + now.rounds;
     const bool settled = (published || now.converged) && byChance(now, fromSubset.pose, double(data.size()) / size);
-    if (!settled)
-        now = alternate(data, now.pose, {now.noise, now.kind}, options);
-    now.rounds += fromSubset.rounds;
+    if (!settled) {
+        if (!published)
+            rest.limits.rounds -= now.rounds;
+        now = alternate(data, now.pose, {now.noise, now.kind}, rest);
+        rounds += now.rounds;
+    }
+    now.rounds = rounds;
     now.evidence = fromSubset.evidence;
     return now;
 }

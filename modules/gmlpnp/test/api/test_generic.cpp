@@ -176,6 +176,24 @@ TEST(Gmlpnp_Generic, refineTakesAnyShape)
     EXPECT_TRUE(poseNear(poseOf(cv::Vec3d(row.reshape(1, 3)), cv::Vec3d(column)), poseOf(best, bestT), 2e-3, 1e-2));
 }
 
+// One round over all points, however many there are: it is that of solve().
+TEST(Gmlpnp_Generic, theCountOfARefinementBoundsTheRounds)
+{
+    cv::RNG rng = testRng();
+    for (const int n : {400, 599, 600, 1000, 3000}) {
+        const Scene scene = paperScene(rng, n, 0.3, 1);
+        cv::gmlpnp::Params params;
+        params.maxRounds = 1;
+        params.useExtrinsicGuess = true;
+        cv::Rodrigues(cv::Matx33d(scene.truth.R.data()).t(), params.rvec);
+        params.tvec = cv::Vec3d(scene.truth.t.data()) + cv::Vec3d(0.2, -0.1, 0.3);
+        cv::Vec3d rvec = params.rvec, tvec = params.tvec;
+        cv::gmlpnp::solvePnPRefine(scene.objectPoints, scene.imagePoints, paperCamera(), cv::noArray(), rvec, tvec,
+                                   cv::TermCriteria(cv::TermCriteria::COUNT, 1, 0));
+        EXPECT_TRUE(poseNear(poseOf(rvec, tvec), poseOf(solvedPixels(scene, params)), 1e-12, 1e-11)) << n;
+    }
+}
+
 TEST(Gmlpnp_Generic, opencvFlagsAndRefinementsAreForwarded)
 {
     cv::RNG rng = testRng();
