@@ -16,7 +16,7 @@ namespace {
     CV_Error(Error::StsParseError, reason);
 }
 
-// A line of a text file, its blanks in front counted.
+// A line of a text file. Its content starts behind the blanks in front.
 struct Line
 {
     size_t begin, content, end;
@@ -32,7 +32,7 @@ Line lineAt(const String& text, size_t begin)
     return {begin, std::min(text.find_first_not_of(' ', begin), end), end};
 }
 
-// The first line from this one on that is not empty; the last line where there is none.
+// Returns the first line from this one on that is not empty, or the last line where all are empty.
 Line notEmpty(const String& text, Line line)
 {
     while (line.end < text.size() && line.isEmpty(text))
@@ -40,7 +40,7 @@ Line notEmpty(const String& text, Line line)
     return line;
 }
 
-// The line where the first document starts: below comments and directives, behind the mark.
+// Returns the line where the first document starts. It stands below comments and directives, and behind the mark.
 Line firstContent(const String& text)
 {
     Line line = notEmpty(text, lineAt(text, 0));
@@ -52,7 +52,8 @@ Line firstContent(const String& text)
     return notEmpty(text, line);
 }
 
-// Keeps the first document alone. It must be a mapping, and no line of it may stand further to the left than its first.
+// Keeps the first document alone. It must be a mapping, and no line of it may stand further to the left than its first
+// line.
 void keepFirstMapping(String& text)
 {
     const Line first = firstContent(text);
@@ -70,7 +71,7 @@ void keepFirstMapping(String& text)
     }
 }
 
-// YAML with its first line, without tabs and without comments above that line.
+// Returns the YAML with its first line, without tabs and without comments above that line.
 String plainYaml(String text)
 {
     std::replace(text.begin(), text.end(), '\t', ' ');

@@ -11,12 +11,12 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** The text of a calibration file (YAML, XML or JSON) in the form that cv::FileStorage can read.
+/** Turns the text of a calibration file (YAML, XML or JSON) into a form that cv::FileStorage can read.
 
-The text is repaired where other programs write what cv::FileStorage does not take: a byte order mark, tabs, a missing
-first line of YAML. It is refused, or cut to its first document, where the parsers of OpenCV 4.6 are not safe: on
-2026-11-27 a fuzzer found damaged YAML from which they do not return and damaged XML for which they read from a null
-pointer. The check is stricter than these faults, so that it depends on no detail of the parsers.
+It repairs three things that other programs write and cv::FileStorage does not take: a byte order mark, tabs, and YAML
+without its first line. It refuses a text, or cuts it to its first document, where the parsers of OpenCV 4.6 are not
+safe: on 2026-11-27 a fuzzer found damaged YAML from which they do not return and damaged XML for which they read from a
+null pointer. The check is stricter than these faults, so that it depends on no detail of the parsers.
 @throws cv::Exception StsParseError where the text is refused; a text that passes may still be no calibration. */
 CV_EXPORTS String calibrationText(String text);
 

@@ -4,7 +4,6 @@
 
 #include "../precomp.hpp"
 
-#include "../arrays/inputs.hpp"
 #include "common.hpp"
 
 namespace cv {
@@ -12,9 +11,11 @@ namespace gmlpnp {
 namespace detail {
 namespace {
 
-const int kMaxDegree = 8;
-const double kLargestParameter = 1e30;
-const double kLargestRoot = 1e12;  // squared radius on the image plane: within 1e-6 rad of a right angle
+constexpr int MAX_DEGREE = 8;
+
+// The variable of the polynomials is the squared radius on the image plane. At this one a ray is within 1e-6 rad of a
+// right angle to the axis, so a root beyond bounds nothing that a lens sees.
+constexpr double LARGEST_ROOT = 1e12;
 
 bool changesSign(const double* c, int degree)
 {
@@ -26,7 +27,8 @@ bool changesSign(const double* c, int degree)
     return positive && negative;
 }
 
-// The end of [low, high] next to `low` where the sign at `low` ends; the polynomial changes its sign once in between.
+// Returns the last number on the side of `low` whose value has the sign of the value at `low`. The polynomial must
+// change its sign once on [low, high].
 double bisect(const double* c, int degree, double low, double high)
 {
     const bool positive = polynomial(c, degree, low) > 0;
@@ -38,18 +40,19 @@ double bisect(const double* c, int degree, double low, double high)
     }
 }
 
-// Every sign change on (0, kLargestRoot): between two neighbouring extrema there is one at most.
+// Finds every sign change on (0, LARGEST_ROOT). Two neighbouring extrema have at most one between them, and the extrema
+// are the roots of the derivative, which has one degree less.
 int positiveRoots(const double* c, int degree, double* roots)
 {
     if (degree == 0 || !changesSign(c, degree))
         return 0;
     if (c[0] == 0)
         return positiveRoots(c + 1, degree - 1, roots);
-    double slope[kMaxDegree] = {}, stops[kMaxDegree + 1] = {};
+    double slope[MAX_DEGREE] = {}, stops[MAX_DEGREE + 1] = {};
     for (int i = 1; i <= degree; ++i)
         slope[i - 1] = i * c[i];
     int nStops = positiveRoots(slope, degree - 1, stops);
-    stops[nStops++] = kLargestRoot;
+    stops[nStops++] = LARGEST_ROOT;
 
     int nRoots = 0;
     double low = 0;
@@ -65,52 +68,9 @@ int positiveRoots(const double* c, int degree, double* roots)
 
 double firstPositiveRoot(const double* c, int degree)
 {
-    CV_DbgAssert(degree <= kMaxDegree && c[0] > 0);
-    double roots[kMaxDegree] = {};
+    CV_DbgAssert(degree <= MAX_DEGREE && c[0] > 0);
+    double roots[MAX_DEGREE] = {};
     return positiveRoots(c, degree, roots) > 0 ? roots[0] : std::numeric_limits<double>::infinity();
-}
-
-Intrinsics intrinsicsFrom(InputArray cameraMatrix)
-{
-    const Mat_<double> K = matrixFrom(cameraMatrix, 3, 3, "K (cameraMatrix)");
-    if (!checkRange(K, true, nullptr, -kLargestParameter, kLargestParameter))
-        CV_Error(Error::StsBadArg, "'K' (cameraMatrix) must be finite and at most 1e30");
-    if (!(std::abs(K(0, 0)) * kLargestParameter > 1 && std::abs(K(1, 1)) * kLargestParameter > 1))
-        CV_Error(Error::StsBadArg, "'K' (cameraMatrix) has a focal length of zero");
-    return {K(0, 0), K(1, 1), K(0, 1), K(0, 2), K(1, 2)};
-}
-
-std::vector<double> coefficientsFrom(InputArray coefficients, std::initializer_list<int> counts, size_t size)
-{
-    std::vector<double> D(size, 0.0);
-    if (coefficients.empty())
-        return D;
-    if (coefficients.isMatVector() || coefficients.isUMatVector() ||
-        coefficients.kind() == _InputArray::STD_VECTOR_VECTOR)
-        CV_Error(Error::StsAssert, "'D' (distCoeffs) must be one array, not a list of arrays");
-    const Mat given = coefficients.getMat();
-    const int n = static_cast<int>(given.total()) * given.channels();
-    const bool isVector = given.dims <= 2 && (given.rows == 1 || given.cols == 1);
-    if (!isVector || std::find(counts.begin(), counts.end(), n) == counts.end()) {
-        String allowed = "0";
-        for (const int count : counts)
-            allowed += ", " + std::to_string(count);
-        CV_Error(Error::StsAssert,
-                 format("'D' (distCoeffs) must be a row or column of %s coefficients; it has %d", allowed.c_str(), n));
-    }
-    Mat dense;
-    given.convertTo(dense, CV_64F);
-    std::copy(dense.ptr<double>(), dense.ptr<double>() + n, D.begin());
-    for (const double d : D)
-        if (!(std::abs(d) < kLargestParameter))
-            CV_Error(Error::StsBadArg, "'D' (distCoeffs) must be finite and at most 1e30");
-    return D;
-}
-
-void requireRange(double value, double low, double high, const char* name)
-{
-    if (!(value >= low && value <= high))
-        CV_Error(Error::StsBadArg, format("'%s' is %g; it must be between %g and %g", name, value, low, high));
 }
 
 }  // namespace detail

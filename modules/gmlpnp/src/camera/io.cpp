@@ -6,7 +6,8 @@
 
 #include <fstream>
 
-// Cameras from calibration files. Each lens writes itself; here stands what reads them, one line per lens.
+// This file reads cameras from calibration files. Each lens writes itself; READERS has one line per lens that reads it
+// back.
 
 namespace cv {
 namespace gmlpnp {
@@ -14,11 +15,11 @@ namespace {
 
 using Names = std::initializer_list<const char*>;
 
-constexpr Names kMatrixNames = {"K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "camera_Matrix", "CameraMatrix"};
-constexpr Names kDistortionNames = {
+constexpr Names MATRIX_NAMES = {"K", "camera_matrix", "cameraMatrix", "Camera_Matrix", "camera_Matrix", "CameraMatrix"};
+constexpr Names DISTORTION_NAMES = {
     "D", "distortion_coefficients", "distortionCoefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs"};
-const int kLargestSide = 64;                  // rows or columns of a matrix that belongs to a camera
-const size_t kLargestFile = size_t(1) << 26;  // bytes
+constexpr int LARGEST_SIDE = 64;                  // no matrix of a camera has so many rows or columns
+constexpr size_t LARGEST_FILE = size_t(1) << 26;  // bytes; no calibration is so long
 
 [[noreturn]] void parseError(const String& message)
 {
@@ -60,12 +61,12 @@ int sideOf(const FileNode& matrix, const char* side, const char* name)
 {
     const FileNode node = matrix[side];
     const int n = node.isInt() ? static_cast<int>(node) : -1;
-    if (n < 0 || n > kLargestSide)
+    if (n < 0 || n > LARGEST_SIDE)
         parseError(format("camera field '%s' is a matrix without proper '%s'", name, side));
     return n;
 }
 
-// A matrix of OpenCV or ROS (rows, cols, data), or a plain list of `listRows` rows.
+// Returns a matrix from a mapping of OpenCV or ROS (rows, cols, data), or from a plain list of `listRows` rows.
 Mat matrixOf(const FileNode& node, const char* name, int listRows)
 {
     if (!node.isMap() && !node.isSeq())
@@ -101,12 +102,12 @@ Mat firstOf(const FileNode& map, Names names, int listRows)
 
 Mat matrixK(const FileNode& map)
 {
-    return firstOf(map, kMatrixNames, 3);
+    return firstOf(map, MATRIX_NAMES, 3);
 }
 
 Mat coefficientsD(const FileNode& map)
 {
-    return firstOf(map, kDistortionNames, 1);
+    return firstOf(map, DISTORTION_NAMES, 1);
 }
 
 // cv::omnidir::calibrate returns xi as a 1x1 matrix.
@@ -141,7 +142,7 @@ struct Reader
     Ptr<CameraModel> (*read)(const FileNode& map);
 };
 
-const Reader kReaders[] = {
+const Reader READERS[] = {
     {"pinhole", [](const FileNode& m) { return CameraModel::pinhole(matrixK(m), coefficientsD(m)); }},
     {"fisheye", [](const FileNode& m) { return CameraModel::fisheye(matrixK(m), coefficientsD(m)); }},
     {"omnidir", [](const FileNode& m) { return CameraModel::omnidir(matrixK(m), coefficientsD(m), mirror(m)); }},
@@ -153,7 +154,8 @@ const Reader kReaders[] = {
     {"MEI", readMei},
 };
 
-// The name of the lens: the file's own word, what its fields imply, the caller's word; in this order.
+// Returns the name of the lens. The file's own word comes first, then the lens that its fields imply, then the caller's
+// word.
 String modelOf(const FileNode& map, const String& callers)
 {
     for (const char* name : {"model", "model_type"})
@@ -173,7 +175,7 @@ String modelOf(const FileNode& map, const String& callers)
     return callers.empty() ? "pinhole" : callers;
 }
 
-// The bytes of a file, which must be a small one that ends.
+// Returns the bytes of a file. The file must be small, and it must end.
 String contentOf(const String& filename)
 {
     std::ifstream file(filename, std::ios::binary);
@@ -181,12 +183,12 @@ String contentOf(const String& filename)
         CV_Error(Error::StsObjectNotFound, "cannot be opened");
     file.seekg(0, std::ios::end);
     const std::streamoff size = file.tellg();
-    if (size < 0 || static_cast<size_t>(size) > kLargestFile)
+    if (size < 0 || static_cast<size_t>(size) > LARGEST_FILE)
         parseError("is not a calibration file");
     file.seekg(0);
     String text(static_cast<size_t>(size) + 1, '\0');
     text.resize(static_cast<size_t>(file.read(&text[0], size + 1).gcount()));
-    if (text.size() > static_cast<size_t>(size))  // a device: it has no size, and some no end
+    if (text.size() > static_cast<size_t>(size))  // a device has no size, and some have no end
         parseError("is not a calibration file");
     return text;
 }
@@ -198,7 +200,7 @@ Ptr<CameraModel> CameraModel::read(const FileNode& node, const String& model)
     if (!node.isMap())
         parseError("a camera must be a mapping");
     const String name = modelOf(node, model);
-    for (const Reader& reader : kReaders)
+    for (const Reader& reader : READERS)
         if (name == reader.model)
             return reader.read(node);
     parseError("unknown camera model '" + name + "'");
@@ -213,7 +215,7 @@ Ptr<CameraModel> CameraModel::load(const String& filename, const String& model)
             parseError("holds no mapping");
         return read(root["camera"].isMap() ? root["camera"] : root, model);
     } catch (const Exception& e) {
-        // OpenCV's parsers put their message, which has words, into the place of the function.
+        // OpenCV's parsers put their message into the place of the function. A message has spaces, a function has none.
         const bool isSwapped = e.func.find(' ') != String::npos;
         CV_Error(e.code, filename + ": " + (isSwapped ? e.func : e.err));
     } catch (const std::exception& e) {  // OpenCV's parsers let std::length_error through

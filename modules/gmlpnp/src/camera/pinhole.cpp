@@ -4,28 +4,29 @@
 
 #include "../precomp.hpp"
 
-#include "common.hpp"
 #include "distortion.hpp"
+#include "lens.hpp"
 
-// Pinhole, as cv::projectPoints:
+// The pinhole camera of cv::projectPoints:
 //
-//     (x, y) = (X, Y) / Z,   d = G(x, y) (camera_distortion.hpp),   (a, b, c) = T(tau_x, tau_y) (d, 1)
+//     (x, y) = (X, Y) / Z,   d = G(x, y) (camera/distortion.hpp),   (a, b, c) = T(tau_x, tau_y) (d, 1)
 //     u = fx a / c + cx,  v = fy b / c + cy
 //
 // T is the homography of a sensor tilted by Rt = Ry(tau_y) Rx(tau_x) as rotations of the axes:
 //
 //     T = [ Rt33 0 -Rt13;  0 Rt33 -Rt23;  0 0 1 ] Rt
 //
-// Valid domain: Z > 0, (x, y) where G is one-to-one, and c > 0. Every finite pixel of an undistorted camera has a ray.
+// The valid domain is Z > 0, (x, y) where G is one-to-one, and c > 0. Every finite pixel of an undistorted camera has a
+// ray. The angular scale is cos(theta) = m3 for the angle theta off the axis; it leaves the distortion out.
 
 namespace cv {
 namespace gmlpnp {
 namespace detail {
 namespace {
 
-constexpr std::initializer_list<int> kCounts = {4, 5, 8, 12, 14};
+constexpr size_t MOST_COEFFICIENTS = 14;
 
-// OpenCV's signs: Rx = [1 0 0; 0 c s; 0 -s c], Ry = [c 0 -s; 0 1 0; s 0 c].
+// OpenCV's signs are Rx = [1 0 0; 0 c s; 0 -s c] and Ry = [c 0 -s; 0 1 0; s 0 c].
 Matx33d tiltMatrix(double tauX, double tauY)
 {
     const double cx = std::cos(tauX), sx = std::sin(tauX), cy = std::cos(tauY), sy = std::sin(tauY);
@@ -33,7 +34,7 @@ Matx33d tiltMatrix(double tauX, double tauY)
     return Matx33d(R(2, 2), 0, -R(0, 2), 0, R(2, 2), -R(1, 2), 0, 0, 1) * R;
 }
 
-// The image of p under a homography, with its Jacobian; false on and behind the line at infinity.
+// Sets the image of p under a homography, with its Jacobian. Returns false on and behind the line at infinity.
 bool transform(const Matx33d& H, const Point2d& p, Point2d& q, Matx22d* J)
 {
     const double w = H(2, 0) * p.x + H(2, 1) * p.y + H(2, 2);
@@ -47,42 +48,42 @@ bool transform(const Matx33d& H, const Point2d& p, Point2d& q, Matx22d* J)
     return true;
 }
 
-class Pinhole : public CameraModel
+class Pinhole final : public Lens
 {
 public:
-    Pinhole(const Intrinsics& intrinsics, const std::vector<double>& coefficients)
-        : k(intrinsics.withoutSkew()),
-          D(coefficients),
-          distortion(D),
-          isTilted(D[12] != 0 || D[13] != 0),
-          tilt(tiltMatrix(D[12], D[13])),
-          untilt(tilt.inv())
+    Pinhole(InputArray K, InputArray D)
+        : Lens("pinhole", intrinsicsFrom(K).withoutSkew()),
+          D_(coefficientsFrom(D, {4, 5, 8, 12, MOST_COEFFICIENTS}, MOST_COEFFICIENTS)),
+          distortion_(D_),
+          isTilted_(D_[12] != 0 || D_[13] != 0),
+          tilt_(tiltMatrix(D_[12], D_[13])),
+          untilt_(tilt_.inv())
     {
-        if (!(tilt(2, 2) > 0))
+        if (!(tilt_(2, 2) > 0))
             CV_Error(Error::StsBadArg, "'D' tilts the sensor by a right angle or more");
     }
 
     bool unprojectPoint(const Point2d& pixel, Vec3d& ray, Matx32d* jacobian) const override
     {
-        Point2d p = k.planeOf(pixel);
+        Point2d p = k_.planeOf(pixel);
         Matx22d byPlane = Matx22d::eye();
-        const bool flat = isTilted || !distortion.isNone() ? flatten(p, jacobian ? &byPlane : nullptr) : true;
+        const bool flat = isBent() ? flatten(p, jacobian ? &byPlane : nullptr) : true;
         if (!flat || !rayThrough(p, ray))
             return false;
         if (jacobian)
-            *jacobian = k.byPixel(unitJacobian(
+            *jacobian = k_.byPixel(unitJacobian(
                 ray, 1 / ray[2], Matx32d(byPlane(0, 0), byPlane(0, 1), byPlane(1, 0), byPlane(1, 1), 0, 0)));
         return true;
     }
 
     void unprojectPoints(const Point2d* pixels, int count, Vec3d* rays, uchar* valid) const override
     {
-        if (isTilted || !distortion.isNone()) {
+        if (isBent()) {
             CameraModel::unprojectPoints(pixels, count, rays, valid);
             return;
         }
-        for (int i = 0; i < count; ++i) {  // without a call for each the divisions of several points overlap
-            const bool seen = rayThrough(k.planeOf(pixels[i]), rays[i]);
+        for (int i = 0; i < count; ++i) {  // without a call for each point the divisions of several points overlap
+            const bool seen = rayThrough(k_.planeOf(pixels[i]), rays[i]);
             valid[i] = seen ? 255 : 0;
             if (!seen)
                 rays[i] = Vec3d();
@@ -94,34 +95,20 @@ public:
         if (!(point[2] > 0) || !std::isfinite(point[2]))
             return false;
         Point2d p(point[0] / point[2], point[1] / point[2]);
-        if (!isFinite(p))
+        if (!isFinite(p) || !distortion_.applyInside(p))
             return false;
-        if (!distortion.isNone()) {
-            Matx22d J;
-            if (!distortion.contains(p))
-                return false;
-            p = distortion.apply(p, J);
-        }
-        if (isTilted && !transform(tilt, p, p, nullptr))
+        if (isTilted_ && !transform(tilt_, p, p, nullptr))
             return false;
-        return k.pixelOf(p, pixel);
-    }
-
-    void angularScales(const Vec3d* rays, int count, double* scales) const override
-    {
-        for (int i = 0; i < count; ++i)
-            scales[i] = rays[i][2];
-    }
-
-    void write(FileStorage& fs) const override
-    {
-        fs.write("model", "pinhole");
-        fs.write("K", Mat(k.matrix()));
-        fs.write("D", Mat(D));
+        return k_.pixelOf(p, pixel);
     }
 
 private:
-    // False for a point of the plane that is not finite, or so far out that its ray has no digits left.
+    double angularScale(const Vec3d& ray) const override { return ray[2]; }
+
+    void writeParameters(FileStorage& fs) const override { fs.write("D", Mat(D_)); }
+
+    // Sets the unit ray through a point of the plane. Returns false for a point that is not finite, or so far out that
+    // its ray has no digits left.
     static bool rayThrough(const Point2d& p, Vec3d& ray)
     {
         const double w = 1 / std::sqrt(p.x * p.x + p.y * p.y + 1);
@@ -131,24 +118,25 @@ private:
         return true;
     }
 
-    // Undoes tilt and distortion: p becomes (X/Z, Y/Z), J its derivative by what p was.
+    bool isBent() const { return isTilted_ || !distortion_.isNone(); }
+
+    // Undoes tilt and distortion: p becomes (X/Z, Y/Z), and J the derivative of the new p by the old one.
     bool flatten(Point2d& p, Matx22d* J) const
     {
         Matx22d Juntilt = Matx22d::eye(), Jdistort;
-        if (isTilted && !transform(untilt, p, p, J ? &Juntilt : nullptr))
+        if (isTilted_ && !transform(untilt_, p, p, J ? &Juntilt : nullptr))
             return false;
-        if (!distortion.invert(Point2d(p), p, Jdistort))
+        if (!distortion_.invert(Point2d(p), p, Jdistort))
             return false;
         if (J)
             *J = inverse(Jdistort) * Juntilt;
         return true;
     }
 
-    Intrinsics k;
-    std::vector<double> D;
-    Distortion distortion;
-    bool isTilted;
-    Matx33d tilt, untilt;
+    std::vector<double> D_;
+    Distortion distortion_;
+    bool isTilted_;
+    Matx33d tilt_, untilt_;
 };
 
 }  // namespace
@@ -156,7 +144,7 @@ private:
 
 Ptr<CameraModel> CameraModel::pinhole(InputArray K, InputArray D)
 {
-    return makePtr<detail::Pinhole>(detail::intrinsicsFrom(K), detail::coefficientsFrom(D, detail::kCounts, 14));
+    return makePtr<detail::Pinhole>(K, D);
 }
 
 }  // namespace gmlpnp
