@@ -12,13 +12,13 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** The loops of each instruction set that this machine has, the fastest first and the scalar ones last. */
+/** Returns the loops of each instruction set that this machine has. The fastest come first, the scalar ones last. */
 CV_EXPORTS const std::vector<const RayKernels*>& availableKernels();
 
-/** The fastest loops whose lanes so many points fill. */
+/** Returns the fastest loops that have at most `points` lanes, because their blocks must be full. */
 CV_EXPORTS const RayKernels& rayKernels(int points);
 
-/** Logarithm of a product that a kernel has multiplied up. */
+/** Returns the logarithm of a product that a kernel has multiplied up. */
 CV_EXPORTS double logarithm(const ScaledProduct& product);
 
 }  // namespace detail

@@ -2,9 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html
 
-// Included once by the source file of each instruction set: loops over T, a double or a vector of doubles that the
-// operators of the language apply to. Everything here is local to that file. The formulas are those of pointTerms(),
-// the readable twin.
+// The loops over the points. The source file of each instruction set includes this header once, and everything here is
+// local to that file. T is a double or a vector of doubles that the operators of the language apply to. The formulas
+// are derived in doc/theory.md, section 2; pointTerms() (rays/ray_pass.cpp) is their readable twin, and a test compares
+// the two.
 
 #include <cmath>
 #include <cstring>
@@ -30,7 +31,7 @@ struct Vec3
     T x, y, z;
 };
 
-// Symmetric 3x3.
+// A symmetric 3x3 matrix.
 template <class T>
 struct Sym3
 {
@@ -94,12 +95,12 @@ GMLPNP_INLINE Sym3<T> adjugate(const Sym3<T>& S)
 }
 
 template <class T>
-GMLPNP_INLINE T trace(const Sym3<T>& A, const Sym3<T>& B)  // of A B
+GMLPNP_INLINE T traceOfProduct(const Sym3<T>& A, const Sym3<T>& B)
 {
     return A.xx * B.xx + A.yy * B.yy + A.zz * B.zz + 2. * (A.xy * B.xy + A.xz * B.xz + A.yz * B.yz);
 }
 
-// [m]^T_x S [m]_x, of M = m m^T
+// Returns [m]_x^T S [m]_x from M = m m^T.
 template <class T>
 GMLPNP_INLINE Sym3<T> sandwich(const Sym3<T>& M, const Sym3<T>& S)
 {
@@ -109,7 +110,7 @@ GMLPNP_INLINE Sym3<T> sandwich(const Sym3<T>& M, const Sym3<T>& S)
         M.xz * S.xy + M.xy * S.xz - M.xx * S.yz - M.yz * S.xx, M.yy * S.xx - 2. * M.xy * S.xy + M.xx * S.yy};
 }
 
-// How a number type is read, spread and seen as bits.
+// Says how a number type is spread, summed and seen as bits.
 template <class T>
 struct Lanes;
 
@@ -138,8 +139,8 @@ struct Lanes<double>
     }
 };
 
-// As many points as there are lanes. Where the last block would not be full it starts earlier, and the lanes whose
-// points have been there before do not count.
+// A block has as many points as there are lanes. A last block that would not be full starts earlier. Lanes whose
+// points an earlier block already had do not count.
 template <class T>
 struct Block
 {
@@ -163,7 +164,7 @@ struct Block
     const typename Lanes<T>::Bits counts;
 };
 
-// The full blocks in a loop of their own, where the masks are constants.
+// Calls the body for all blocks. The full blocks have a loop of their own, in which the masks are constants.
 template <class T, class Body>
 GMLPNP_INLINE void forBlocks(int first, int last, const Body& body)
 {
@@ -236,7 +237,7 @@ struct SpreadPose
     const Vec3<T> R[3], t;
 };
 
-// R p + t
+// Returns X = R p + t.
 template <class T>
 GMLPNP_INLINE Vec3<T> operator*(const SpreadPose<T>& at, const Vec3<T>& p)
 {
@@ -259,7 +260,7 @@ void addTo(double* out, const Sym3<T>& S)
         out[k] += Lanes<T>::sum(all[k]);
 }
 
-// The product of positive numbers with its exponent apart, so that it may leave the range of a double.
+// A product of positive numbers. It keeps its exponent apart, so that it may leave the range of a double.
 template <class T>
 struct Product
 {
@@ -292,7 +293,8 @@ struct Accumulator
     typename Lanes<T>::Bits behind{};
 };
 
-// J^T Q J with J = [ -[X]_x , I ], X the lever arm:  phi-delta block [X]_x Q, phi-phi block [X]_x Q [X]_x^T.
+// Adds J^T Q J with J = [ -[X]_x , I ] and the lever arm X (doc/theory.md, section 2). The phi-delta block is [X]_x Q,
+// the phi-phi block [X]_x Q [X]_x^T.
 template <class T>
 GMLPNP_INLINE void addInformation(const Vec3<T>& X, const Sym3<T>& Q, Accumulator<T>& sums)
 {
@@ -304,7 +306,7 @@ GMLPNP_INLINE void addInformation(const Vec3<T>& X, const Sym3<T>& Q, Accumulato
                         X.z * B1.x - X.x * B1.z, X.x * B1.y - X.y * B1.x, X.x * B2.y - X.y * B2.x};
 }
 
-// The upper triangle of weight v v^T.
+// Adds the upper triangle of weight v v^T.
 template <class T>
 GMLPNP_INLINE void addOuter(const T (&v)[6], T weight, T* sums)
 {
@@ -321,7 +323,7 @@ GMLPNP_INLINE void addProducts(const Sym3<T>& Q, T weight, T* sums)
     addOuter({Q.xx, Q.xy, Q.xz, Q.yy, Q.yz, Q.zz}, weight, sums);
 }
 
-// What the products are weighed by.
+// Returns the weight of the products: s^4 for the bearing noise, because S holds s^2 Gamma.
 template <class T>
 GMLPNP_INLINE T depthWeight(Products products, T s2)
 {
@@ -334,7 +336,7 @@ GMLPNP_INLINE void addProducts(Products products, const Sym3<T>& Q, T s2, Accumu
     addProducts(Q, depthWeight(products, s2), sums.QQ);
 }
 
-// For both noises at once.
+// The products for both noises at once.
 template <class T>
 struct InformationAccumulator
 {
@@ -354,16 +356,18 @@ GMLPNP_INLINE void addProducts(Products, const Sym3<T>& Q, T s2, InformationAccu
         }
 }
 
-// e^x for x <= 0, to about 3 units in the last place; e^-690 for less than that.
+// Returns e^x for x <= 0, to about 3 units in the last place, and e^-690 for any lower x. With k = round(x / ln 2) and
+// r = x - k ln 2 it is 2^k e^r, and Taylor's series gives e^r to the last digits because |r| <= ln 2 / 2.
 template <class T>
 GMLPNP_INLINE T exponential(T x)
 {
+    constexpr double LOWEST = -690;  // range of doubles: 2^k must not underflow
     constexpr double LOG2_E = 1.4426950408889634, LN2_HIGH = 0.693147180369123816490, LN2_LOW = 1.90821492927058770e-10;
-    constexpr double ROUNDER = 6755399441055744.;  // 1.5 * 2^52: adding it rounds to an integer, in the lowest bits
-    x = x > -690. ? x : Lanes<T>::spread(-690.);
+    constexpr double ROUNDER = 6755399441055744.;  // 1.5 * 2^52: adding it leaves an integer in the lowest bits
+    x = x > LOWEST ? x : Lanes<T>::spread(LOWEST);
     const T rounded = x * LOG2_E + ROUNDER, k = rounded - ROUNDER;
     const T r = (x - k * LN2_HIGH) - k * LN2_LOW;
-    T series = Lanes<T>::spread(1. / 479001600);  // of Taylor: |r| <= ln 2 / 2
+    T series = Lanes<T>::spread(1. / 479001600);  // the highest term of the series
     constexpr double TERMS[] = {1. / 39916800, 1. / 3628800, 1. / 362880, 1. / 40320, 1. / 5040, 1. / 720,
                                 1. / 120,      1. / 24,      1. / 6,      0.5,        1.,        1.};
     for (double term : TERMS)
@@ -383,7 +387,7 @@ public:
           dof_(tails.dof)
     {}
 
-    // g(c), and w = -2 g'(c) / g(c).
+    // Returns g(c) and sets w = -2 g'(c) / g(c) (doc/theory.md, section 1).
     GMLPNP_INLINE T density(T c, T& w) const
     {
         const T gaussian = most_ * exponential(-0.5 * c), u = 1. / (1. + perC_ * c);
@@ -402,18 +406,18 @@ private:
     int dof_;
 };
 
-// What a loop does not need is left out of it at compile time.
+// The parts of a loop that can be left out at compile time.
 enum Features
 {
     BEARING_NOISE = 1,  // Gamma is not zero
-    TAILS = 2,          // not Gaussian
-    KNOWN = 4,          // each point brings covariances of its own
-    PRODUCTS = 8,       // sums of products of Q
-    NOTHING_ELSE = 16,  // than these
+    TAILS = 2,          // the noise is not Gaussian
+    KNOWN = 4,          // each point has covariances of its own
+    PRODUCTS = 8,       // the loop sums products of Q
+    NOTHING_ELSE = 16,  // the loop sums only them
     DEPTH_MATTERS = BEARING_NOISE | KNOWN
 };
 
-// R C R^T
+// Returns R C R^T.
 template <class T>
 GMLPNP_INLINE Sym3<T> rotated(const Vec3<T> (&R)[3], const Sym3<T>& C)
 {
@@ -445,7 +449,7 @@ GMLPNP_INLINE T addResidual(const PassState<T>& at, const Block<T>& block, const
                             T s2, T D, T inverseD, const Sym3<T>& S_o, const Sym3<T>& Gamma, const Sym3<T>& S,
                             const Sym3<T>& Q, Accumulator<T>& sums)
 {
-    // Not Q X: on exact data X is as many times longer than v as a double has digits.
+    // z is not computed as Q X: on exact data X is so much longer than v that the digits of v would be lost.
     const Vec3<T> v = cross(m, X), Sv = S * v, z = inverseD * cross(Sv, m);
     const T c = inverseD * dot(v, Sv);
 
@@ -462,6 +466,7 @@ GMLPNP_INLINE T addResidual(const PassState<T>& at, const Block<T>& block, const
         wzz = w * wzz;
         zTilde = w * zTilde;
     }
+    // The lever arm is that of the paper's Eq. (5), generalised to Gamma.
     const Vec3<T> e = at.lever * (S_o * z), Xhat = {X.x - e.x, X.y - e.y, X.z - e.z};
     addInformation(Xhat, wQ, sums);
     if constexpr ((FEATURES & TAILS) != 0)
@@ -481,7 +486,8 @@ GMLPNP_INLINE T addResidual(const PassState<T>& at, const Block<T>& block, const
     return c;
 }
 
-// A ray of zeros adds nothing but the D that it gets instead.
+// Adds one block of points: S, D and Q of doc/theory.md, section 1, then the sums of section 2. A lane that does not
+// count has a ray of zeros, which adds nothing once its D is replaced by 1.
 template <int FEATURES, class T, class Sums>
 GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Vec3<T>& p, const Vec3<T>& m,
                          const Sym3<T>& knownObject, const Sym3<T>& knownRay, Sums& sums)
@@ -499,7 +505,7 @@ GMLPNP_INLINE T addPoint(const PassState<T>& at, const Block<T>& block, const Ve
         S += s2 * Gamma;
         adjS = adjugate(S);
     }
-    const T D = block.choose(trace(M, adjS), Lanes<T>::spread(1)), inverseD = 1. / D;
+    const T D = block.choose(traceOfProduct(M, adjS), Lanes<T>::spread(1)), inverseD = 1. / D;
     const Sym3<T> Q = inverseD * sandwich(M, S);
     if constexpr ((FEATURES & PRODUCTS) != 0)
         addProducts(at.products, Q, s2, sums);
@@ -537,7 +543,8 @@ void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
     const PassState<T> at(in);
     Accumulator<T> sums;
     int i = 0;
-    for (; i + Lanes<T>::COUNT <= data.size; i += Lanes<T>::COUNT)  // by forBlocks() both noises take a tenth longer
+    // This loop does not use forBlocks(), by which both noises take a tenth longer.
+    for (; i + Lanes<T>::COUNT <= data.size; i += Lanes<T>::COUNT)
         addBlock<T, FEATURES>(data, at, Block<T>(i), in.c, sums);
     if (i < data.size)
         addBlock<T, FEATURES>(data, at, Block<T>(i, data.size), in.c, sums);
@@ -560,7 +567,8 @@ void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
     out.behind += Lanes<T>::sumBits(sums.behind);
 }
 
-// Where the products steer the scoring only, a quarter of the points tells enough: the first SAMPLE of each STRETCH.
+// A quarter of the points tells enough where the products only steer the scoring: the first SAMPLE of each STRETCH.
+// fitted: scripts/bench.sh (doc/performance.md, "Steps"); held by Gmlpnp_Accuracy.twoHundredPoints
 constexpr int STRETCH = 16, SAMPLE = 4;
 
 template <class T, int NOISE>
@@ -593,10 +601,10 @@ void passWith(const PointArrays& data, const PassInput& in, PassSums& out)
 template <int FEATURES>
 struct Constant
 {
-    static constexpr int value = FEATURES;
+    static constexpr int VALUE = FEATURES;
 };
 
-// Calls the body with the Constant of KNOWN, of BEARING_NOISE or of neither.
+// Calls the body with the Constant of KNOWN, of BEARING_NOISE or of neither, whichever the data need.
 template <class Body>
 void forNoise(const PointArrays& data, const PassInput& in, const Body& body)
 {
@@ -617,7 +625,7 @@ void pass(const PointArrays& data, const PassInput& in, PassSums& out)
     out = PassSums();
     const int rest = data.size % STRETCH;
     out.inProducts = in.sampled ? data.size / STRETCH * SAMPLE + (rest < SAMPLE ? rest : SAMPLE) : data.size;
-    forNoise(data, in, [&](auto noise) { passWith<T, decltype(noise)::value>(data, in, out); });
+    forNoise(data, in, [&](auto noise) { passWith<T, decltype(noise)::VALUE>(data, in, out); });
 }
 
 template <class T, int NOISE>
@@ -637,7 +645,7 @@ void informationWith(const PointArrays& data, const PassInput& in, InformationSu
 template <class T>
 void information(const PointArrays& data, const PassInput& in, InformationSums& out)
 {
-    forNoise(data, in, [&](auto noise) { informationWith<T, decltype(noise)::value>(data, in, out); });
+    forNoise(data, in, [&](auto noise) { informationWith<T, decltype(noise)::VALUE>(data, in, out); });
 }
 
 template <class T>
@@ -702,11 +710,11 @@ int behind(const PointArrays& data, const double* pose)
     return static_cast<int>(Lanes<T>::sumBits(sum));
 }
 
-// All at once: one after the other they would wait for each other's exponentials.
+// Sums for all tails at once. One after the other they would wait for each other's exponentials.
 template <class T>
 void tails(const double* c, int size, const Tails* tails, const double* factors, TailSums* out)
 {
-    static_assert(TRIED_TAILS == 4, "as many as are listed here");
+    static_assert(TRIED_TAILS == 4, "tried[] lists so many");
     const SpreadTails<T> tried[] = {SpreadTails<T>(tails[0]), SpreadTails<T>(tails[1]), SpreadTails<T>(tails[2]),
                                     SpreadTails<T>(tails[3])};
     T inverse[TRIED_TAILS], wc[TRIED_TAILS]{};
@@ -763,7 +771,8 @@ void line(const double* x, const double* y, int size, double a, double b, LineSu
     addTo(out.variance, variances);
 }
 
-// A point of RANSAC at a pose (Metric says what e is); e is zero where it is not in front.
+// A point of RANSAC at a pose. Its residual e is defined in ransac/metric.hpp; e is zero where the point is not in
+// front.
 template <class T>
 struct ScoredPoint
 {

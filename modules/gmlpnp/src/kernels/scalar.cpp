@@ -4,7 +4,7 @@
 
 #include "loops.hpp"
 
-// One point at a time: what every compiler can do, and what the others are tested against.
+// One point at a time. Every compiler can do this, and the tests compare the other kernels with it.
 
 namespace cv {
 namespace gmlpnp {

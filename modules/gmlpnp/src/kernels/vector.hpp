@@ -2,7 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html
 
-// Included by the source files with vectors: GMLPNP_LANES doubles in one, by the vector extension of GCC and Clang.
+// The kernels of an instruction set with vectors, by the vector extension of GCC and Clang. The source file of each
+// instruction set includes this header once and defines for it
+//
+//   GMLPNP_RAY_KERNELS       the name of its RayKernels
+//   GMLPNP_RAY_KERNELS_NAME  the same for people, a string
+//   GMLPNP_LANES             how many doubles a vector has; undefined where the compiler lacks the instructions
+
+#ifdef GMLPNP_LANES
 
 #include "loops.hpp"
 
@@ -27,7 +34,7 @@ struct VectorLanes
     using Bits = typename Vector<N>::Words;
     static constexpr int COUNT = N;
 
-    // All ones from this lane on.
+    // Returns a mask of all ones from this lane on.
     static GMLPNP_INLINE Bits from(int lane)
     {
         Integers number{};
@@ -40,7 +47,7 @@ struct VectorLanes
     static GMLPNP_INLINE Doubles number(Bits b) { return reinterpret_cast<Doubles>(b); }
     static GMLPNP_INLINE Doubles squareRoot(Doubles x)
     {
-        for (int k = 0; k < COUNT; ++k)  // one instruction, as the build says that nobody reads errno
+        for (int k = 0; k < COUNT; ++k)  // becomes one instruction, because the build says that nobody reads errno
             x[k] = std::sqrt(x[k]);
         return x;
     }
@@ -84,6 +91,25 @@ struct Lanes<Doubles> : VectorLanes<GMLPNP_LANES>
 {};
 
 }  // namespace
+
+const RayKernels GMLPNP_RAY_KERNELS = kernelsOf<Doubles>(GMLPNP_RAY_KERNELS_NAME);
+
 }  // namespace detail
 }  // namespace gmlpnp
 }  // namespace cv
+
+#else
+
+#include "kernels.hpp"
+
+namespace cv {
+namespace gmlpnp {
+namespace detail {
+
+const RayKernels GMLPNP_RAY_KERNELS = {};  // not available
+
+}  // namespace detail
+}  // namespace gmlpnp
+}  // namespace cv
+
+#endif
