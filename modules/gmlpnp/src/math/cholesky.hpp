@@ -11,8 +11,8 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** A = L D L^T of a small matrix of fixed size, without square roots and indifferent to the units of its rows. Eigen's
-own has loops for matrices of any size, which cost three times as much at 6 x 6. */
+/** The factors A = L D L^T of a small matrix of fixed size. They need no square roots, and the units of the rows do not
+matter. Eigen's LDLT has loops for matrices of any size, which take three times as long at 6 x 6. */
 template <int N>
 class CholeskyFactor
 {
@@ -27,43 +27,44 @@ public:
             for (int i = j; i < N; ++i) {
                 double rest = A(i, j);
                 for (int k = 0; k < j; ++k)
-                    rest -= LD[i][k] * L[j][k];
+                    rest -= LD[i][k] * L_[j][k];
                 LD[i][j] = rest;
             }
             if (!(LD[j][j] > 0))
                 return;
-            inverse[j] = 1 / LD[j][j];
+            inverse_[j] = 1 / LD[j][j];
             for (int i = j + 1; i < N; ++i)
-                L[i][j] = LD[i][j] * inverse[j];
+                L_[i][j] = LD[i][j] * inverse_[j];
         }
-        positive = true;
+        positive_ = true;
     }
 
-    /** Whether A is positive definite; only then may anything be solved. */
-    bool positiveDefinite() const { return positive; }
+    /** Says whether A is positive definite. Only then solve() may be called. */
+    bool positiveDefinite() const { return positive_; }
 
+    /** Returns the x with A x = b. */
     Vector solve(const Vector& b) const
     {
         Vector x;
         for (int i = 0; i < N; ++i) {
             double rest = b(i);
             for (int k = 0; k < i; ++k)
-                rest -= L[i][k] * x(k);
+                rest -= L_[i][k] * x(k);
             x(i) = rest;
         }
         for (int i = N - 1; i >= 0; --i) {
-            double rest = x(i) * inverse[i];
+            double rest = x(i) * inverse_[i];
             for (int k = i + 1; k < N; ++k)
-                rest -= L[k][i] * x(k);
+                rest -= L_[k][i] * x(k);
             x(i) = rest;
         }
         return x;
     }
 
 private:
-    double L[N][N];     // below the diagonal; ones on it
-    double inverse[N];  // of D
-    bool positive = false;
+    double L_[N][N];     // only the part below the diagonal; on it are ones
+    double inverse_[N];  // of the diagonal of D
+    bool positive_ = false;
 };
 
 }  // namespace detail

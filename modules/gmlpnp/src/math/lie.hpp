@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/** Object to camera: X = R p + t. */
+/** A pose turns object coordinates p into camera coordinates X = R p + t. */
 struct Pose
 {
     Matrix3d R = Matrix3d::Identity();
@@ -25,6 +25,7 @@ struct Pose
     Vector3d operator*(const Vector3d& p) const { return R * p + t; }
 };
 
+/** Returns the cross product matrix [v]_x: [v]_x a = v x a. */
 inline Matrix3d hat(const Vector3d& v)
 {
     Matrix3d A;
@@ -32,10 +33,10 @@ inline Matrix3d hat(const Vector3d& v)
     return A;
 }
 
-/** Below this angle [rad] the series of sin(x)/x and its kin are exact to double precision. */
+/** Rounding: below this angle [rad] two terms of the series of sin(x)/x and its kin are exact to double precision. */
 constexpr double SMALL_ANGLE = 1e-4;
 
-/** SO(3) exponential. */
+/** Returns Exp(phi), the rotation by the angle |phi| [rad] about phi: Rodrigues' formula. */
 inline Matrix3d expSO3(const Vector3d& phi)
 {
     const double theta2 = phi.squaredNorm(), theta = std::sqrt(theta2);
@@ -47,7 +48,8 @@ inline Matrix3d expSO3(const Vector3d& phi)
     return Matrix3d::Identity() + a * K + b * K * K;
 }
 
-/** SO(3) logarithm, |phi| <= pi. By way of the quaternion, whose vector part keeps its precision up to pi. */
+/** Returns the phi with Exp(phi) = R and |phi| <= pi [rad]. It goes by way of the quaternion, whose vector part keeps
+its precision up to pi. */
 inline Vector3d logSO3(const Matrix3d& R)
 {
     Eigen::Quaterniond q(R);
@@ -59,7 +61,7 @@ inline Vector3d logSO3(const Matrix3d& R)
     return scale * q.vec();
 }
 
-/** Inverse of the left Jacobian of SO(3): Log(Exp(d) Exp(phi)) = phi + J_l^-1(phi) d + O(d^2). */
+/** Returns the inverse of the left Jacobian of SO(3): Log(Exp(d) Exp(phi)) = phi + J_l^-1(phi) d + O(d^2). */
 inline Matrix3d leftJacobianInverse(const Vector3d& phi)
 {
     const double theta = phi.norm();
@@ -69,7 +71,7 @@ inline Matrix3d leftJacobianInverse(const Vector3d& phi)
     return Matrix3d::Identity() - 0.5 * K + b * K * K;
 }
 
-/** The rotation nearest to M in the Frobenius norm. */
+/** Returns the rotation nearest to M in the Frobenius norm. */
 inline Matrix3d nearestRotation(const Matrix3d& M)
 {
     const Eigen::JacobiSVD<Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -79,15 +81,15 @@ inline Matrix3d nearestRotation(const Matrix3d& M)
     return U * svd.matrixV().transpose();
 }
 
-/** The perturbation of this module, everywhere: LEFT, xi = (phi, delta): R <- Exp(phi) R, t <- Exp(phi) t + delta.
-Hence dX/dxi = [ -[R p + t]_x , I ]. */
+/** Perturbs a pose. Everywhere in this module the perturbation is on the LEFT, with xi = (phi, delta) in rad and
+length: R <- Exp(phi) R, t <- Exp(phi) t + delta. Hence dX/dxi = [ -[R p + t]_x , I ] (doc/theory.md, section 1). */
 inline Pose perturbed(const Pose& pose, const Vector6d& xi)
 {
     const Matrix3d dR = expSO3(xi.head<3>());
     return {dR * pose.R, dR * pose.t + xi.tail<3>()};
 }
 
-/** The xi with perturbed(from, xi) = to. */
+/** Returns the xi with perturbed(from, xi) = to. */
 inline Vector6d difference(const Pose& to, const Pose& from)
 {
     const Matrix3d dR = to.R * from.R.transpose();

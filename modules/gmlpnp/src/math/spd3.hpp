@@ -13,6 +13,7 @@ namespace detail {
 
 using Eigen3d = Eigen::SelfAdjointEigenSolver<Matrix3d>;
 
+/** Returns the symmetric part of M. */
 template <class Derived>
 typename Derived::PlainObject symmetrised(const Eigen::MatrixBase<Derived>& M)
 {
@@ -20,7 +21,8 @@ typename Derived::PlainObject symmetrised(const Eigen::MatrixBase<Derived>& M)
     return 0.5 * (S + S.transpose());
 }
 
-/** The matrix of its entries xx xy xz yy yz zz, which functions below take and give for speed. */
+/** Returns the matrix of its entries xx xy xz yy yz zz. The functions below exchange entries because six numbers are
+faster than nine. */
 inline Matrix3d symmetric(const double* entries)
 {
     const double* k = entries;
@@ -29,8 +31,8 @@ inline Matrix3d symmetric(const double* entries)
     return S;
 }
 
-/** An information matrix scaled to a unit diagonal, because rotations and translations have different units:
-matrix = diag(scale) H diag(scale). */
+/** An information matrix scaled to a unit diagonal: matrix = diag(scale) H diag(scale). Rotations and translations have
+different units, so only the scaled matrix has a condition that means something. */
 struct UnitDiagonal
 {
     explicit UnitDiagonal(const Matrix6d& H)
@@ -42,6 +44,7 @@ struct UnitDiagonal
     Matrix6d matrix;
 };
 
+/** Returns the entries xx xy xz yy yz zz. */
 inline Vector6d entriesOf(const Matrix3d& S)
 {
     Vector6d k;
@@ -68,21 +71,21 @@ inline Vector6d inverseEntries(const Vector6d& entries)
     return adjugate / determinantOf(entries, adjugate);
 }
 
-/** Adjugate of a symmetric matrix: S adj(S) = det(S) I, also where S is singular. */
+/** Returns the adjugate of a symmetric matrix: S adj(S) = det(S) I, also where S is singular. */
 inline Matrix3d adjugate(const Matrix3d& S)
 {
     const Vector6d entries = adjugateEntries(entriesOf(S));
     return symmetric(entries.data());
 }
 
-/** Of a symmetric matrix. */
+/** Returns the inverse of a symmetric matrix. */
 inline Matrix3d inverse(const Matrix3d& S)
 {
     const Vector6d entries = inverseEntries(entriesOf(S));
     return symmetric(entries.data());
 }
 
-/** Eigenvalues below `relative` times the largest are raised to it; a negative matrix becomes zero. */
+/** Raises the eigenvalues below `relative` times the largest to that floor. A negative matrix becomes zero. */
 inline Matrix3d floored(const Matrix3d& S, double relative)
 {
     const Eigen3d eigen(S);
@@ -91,44 +94,47 @@ inline Matrix3d floored(const Matrix3d& S, double relative)
     return symmetrised(eigen.eigenvectors() * lambda.asDiagonal() * eigen.eigenvectors().transpose());
 }
 
-/** S + relative tr(S) I: regular where S is positive semidefinite and not zero, without an eigenproblem. */
+/** Returns S + relative tr(S) I. It is regular where S is positive semidefinite and not zero, and needs no
+eigenproblem. */
 inline Matrix3d lifted(const Matrix3d& S, double relative)
 {
     return S + relative * S.trace() * Matrix3d::Identity();
 }
 
-/** The geometric mean of A and B^-1, both SPD: the X with  X B X = A. It is the common limit of their arithmetic and
-harmonic means, which converge quadratically and stay symmetric. */
+/** Returns the geometric mean A # B^-1 of the SPD matrices A and B^-1: the X with  X B X = A (the MM update of
+doc/theory.md, section 3). It is the common limit of their arithmetic and harmonic means, which converge quadratically
+and stay symmetric. */
 inline Matrix3d geometricMean(const Matrix3d& A, const Matrix3d& B)
 {
-    constexpr int MOST = 60;         // each round takes a quarter off the logarithm of any ratio: never reached
-    constexpr double EQUAL = 1e-11;  // of tr(A B) - 3, about the square of the relative difference
-    // Both of determinant 1 saves rounds. By way of the trace, as determinants of very small or large entries would
-    // leave the range of doubles; those of nearly singular matrices are rounding.
+    constexpr int MOST_ROUNDS = 60;        // never reached: a round takes a quarter off the logarithm of any ratio
+    constexpr double EQUAL_MEANS = 1e-11;  // rounding, of tr(A B) - 3: about the square of the relative difference
+    // Determinants of 1 save rounds. The matrix is divided by its trace first, because the determinant of very small or
+    // large entries would leave the range of doubles. The determinant of a nearly singular matrix is rounding, so the
+    // trace alone scales that one.
     const auto makeUnit = [](Vector6d& S) {
-        constexpr double REGULAR = 1e-9;
+        constexpr double SMALLEST_DETERMINANT = 1e-9;  // rounding, at a trace of 1
         const double trace = S[0] + S[3] + S[5];
         const Vector6d T = S / trace;
         const double determinant = determinantOf(T, adjugateEntries(T));
-        const double size = determinant > REGULAR ? trace * std::cbrt(determinant) : trace;
+        const double size = determinant > SMALLEST_DETERMINANT ? trace * std::cbrt(determinant) : trace;
         S /= size;
         return size;
     };
     Vector6d a = entriesOf(A), b = entriesOf(B);
     const double sizeA = makeUnit(a), sizeB = makeUnit(b);
-    for (int k = 0; k < MOST; ++k) {
+    for (int k = 0; k < MOST_ROUNDS; ++k) {
         const Vector6d inverseA = inverseEntries(a);
         a = 0.5 * (a + inverseEntries(b));
         b = 0.5 * (b + inverseA);
         const Vector6d products = a.cwiseProduct(b);
-        if (products[0] + products[3] + products[5] + 2 * (products[1] + products[2] + products[4]) - 3 < EQUAL)
+        if (products[0] + products[3] + products[5] + 2 * (products[1] + products[2] + products[4]) - 3 < EQUAL_MEANS)
             break;
     }
     a *= std::sqrt(sizeA / sizeB);
     return symmetric(a.data());
 }
 
-/** Eigenvalues above `relative` times the largest. */
+/** Returns the number of eigenvalues above `relative` times the largest. */
 inline int rank(const Matrix3d& S, double relative)
 {
     const Vector3d lambda = Eigen3d(S, Eigen::EigenvaluesOnly).eigenvalues();
