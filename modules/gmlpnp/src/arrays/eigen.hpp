@@ -13,7 +13,7 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-// OpenCV's conversions (opencv2/core/eigen.hpp) as functions that return.
+// OpenCV's conversions (opencv2/core/eigen.hpp), as functions that return their result.
 
 inline Vector3d toEigen(const Vec3d& v)
 {
@@ -33,7 +33,7 @@ Mat toMat(const Eigen::Matrix<double, ROWS, COLS>& M)
     return Mat(out);
 }
 
-/** A 3x3 matrix from nine numbers by rows. */
+/** Returns the 3x3 matrix of nine numbers by rows. */
 inline Matrix3d matrix3(const double* rowMajor)
 {
     Matrix3d M;

@@ -11,19 +11,19 @@ namespace gmlpnp {
 namespace detail {
 namespace {
 
-// What the caller passed, for the message: "2x5x3 of CV_32S".
+// Describes for the message what the caller passed: "2x5x3 of CV_32S, 1 channel".
 String describe(const Mat& m)
 {
-    static const char* const depths[] = {"CV_8U", "CV_8S", "CV_16U", "CV_16S", "CV_32S", "CV_32F", "CV_64F"};
+    static const char* const DEPTHS[] = {"CV_8U", "CV_8S", "CV_16U", "CV_16S", "CV_32S", "CV_32F", "CV_64F"};
     String text = m.dims == 0 ? "0x0" : "";
     for (int i = 0; i < m.dims; ++i)
         text += (i > 0 ? "x" : "") + std::to_string(m.size[i]);
-    const bool named = m.depth() < static_cast<int>(sizeof(depths) / sizeof(depths[0]));
-    return text + " of " + (named ? depths[m.depth()] : "another depth") + ", " + std::to_string(m.channels()) +
+    const bool named = m.depth() < static_cast<int>(sizeof(DEPTHS) / sizeof(DEPTHS[0]));
+    return text + " of " + (named ? DEPTHS[m.depth()] : "another depth") + ", " + std::to_string(m.channels()) +
            (m.channels() == 1 ? " channel" : " channels");
 }
 
-// The one matrix behind an argument; a list of arrays is none.
+// Returns the one matrix behind an argument. A list of arrays is refused.
 Mat singleMat(InputArray array, const char* name)
 {
     if (array.isMatVector() || array.isUMatVector() || array.kind() == _InputArray::STD_VECTOR_VECTOR)
@@ -37,7 +37,7 @@ bool holdsPoints(const Mat& m, int dim)
         return false;
     if (m.dims == 3)
         return m.channels() == 1 && m.size[2] == dim && (m.size[0] == 1 || m.size[1] == 1);
-    if (m.dims > 2)  // OpenCV 5 has one-dimensional arrays, of one row: vectors of points
+    if (m.dims > 2)  // vectors of points pass: OpenCV 5 gives them one dimension and one row
         return false;
     return (m.channels() == 1 && m.cols == dim) || (m.channels() == dim && (m.rows == 1 || m.cols == 1));
 }

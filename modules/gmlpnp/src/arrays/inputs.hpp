@@ -11,12 +11,14 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** N points of `dim` coordinates in any of OpenCV's layouts (NxD, Nx1xD, 1xNxD, vector, UMat, not continuous) as a
-continuous N x dim matrix of doubles; it may share memory with the input, so it is const. Anything else: StsAssert
-with `name` in the message. */
+/** Returns N points of `dim` coordinates as a continuous N x dim matrix of doubles. It takes any of OpenCV's layouts
+(NxD, Nx1xD, 1xNxD, vector, UMat, not continuous), float or double. The matrix may share memory with the input, so it is
+const.
+@throws cv::Exception StsAssert, with `name` in the message, for anything else. */
 CV_EXPORTS const Mat_<double> pointsFrom(InputArray points, int dim, const char* name);
 
-/** A rows x cols matrix of any numeric depth as doubles; anything else: StsAssert with `name` in the message. */
+/** Returns a rows x cols matrix of any numeric depth as doubles. It may share memory with the input too.
+@throws cv::Exception StsAssert, with `name` in the message, for anything else. */
 CV_EXPORTS const Mat_<double> matrixFrom(InputArray matrix, int rows, int cols, const char* name);
 
 }  // namespace detail

@@ -17,7 +17,8 @@ bool fits(const Mat& array, const Mat& value)
     return array.size == value.size && array.type() == value.type();
 }
 
-// Into the caller's memory where it fits, which needs no memory; else the caller's header takes the value's.
+// Copies into the caller's array where the value fits, which needs no memory. Otherwise the caller's header takes over
+// the value's memory.
 void assign(const Mat& value, Mat& array)
 {
     if (fits(array, value))
@@ -30,15 +31,15 @@ void assign(const Mat& value, Mat& array)
 
 Outputs::~Outputs()
 {
-    for (const Entry& entry : entries)
+    for (const Entry& entry : entries_)
         if (entry.out->kind() == _InputArray::STD_VECTOR && entry.before < static_cast<int>(entry.out->total()))
-            entry.out->create(entry.before, 1, entry.out->type());  // shorter: no memory needed
+            entry.out->create(entry.before, 1, entry.out->type());  // a shorter vector needs no memory
 }
 
 void Outputs::reserve(const Mat& value, const _OutputArray& out)
 {
     const int before = out.kind() == _InputArray::STD_VECTOR ? static_cast<int>(out.total()) : 0;
-    entries.push_back({&out, value, {}, before});
+    entries_.push_back({&out, value, {}, before});
     if (out.kind() == _InputArray::MAT && !out.fixedSize())
         return;
     if (out.kind() != _InputArray::STD_VECTOR || static_cast<int>(value.total()) > before)
@@ -60,11 +61,11 @@ void Outputs::add(const Mat& value, OutputArray out, const char* name)
 
 namespace {
 
-// A number beyond the range of a float is none in it.
+// Says whether every number lies within the range of a float.
 bool fitsFloat(const Vec3d& value)
 {
-    constexpr double LARGEST = std::numeric_limits<float>::max();
-    return norm(value, NORM_INF) <= LARGEST;
+    constexpr double LARGEST_FLOAT = std::numeric_limits<float>::max();
+    return norm(value, NORM_INF) <= LARGEST_FLOAT;
 }
 
 void requireFit(const Vec3d& value, int depth, const char* name)
@@ -95,7 +96,7 @@ void Outputs::add(const std::vector<Vec3d>& values, const _OutputArray& out, con
     std::vector<Mat> list(n);
     for (int i = 0; i < n; ++i)
         Mat(values[i]).convertTo(list[i], depth);
-    entries.push_back({&out, Mat(), list, 0});
+    entries_.push_back({&out, Mat(), list, 0});
     if (out.kind() == _InputArray::STD_VECTOR_MAT && !out.fixedSize())
         return;
     out.create(n, 1, depth);
@@ -124,18 +125,19 @@ void writeList(std::vector<Mat>& list, OutputArrayOfArrays out)
 
 void Outputs::write()
 {
-    for (Entry& entry : entries) {
+    for (Entry& entry : entries_) {
         const _OutputArray& out = *entry.out;
         if (!entry.list.empty())
             writeList(entry.list, out);
         else if (out.kind() == _InputArray::MAT && !out.fixedSize())
             assign(entry.value, out.getMatRef());
         else {
-            out.create(entry.value.size(), entry.value.type());  // there is room: a longer std::vector becomes shorter
+            out.create(entry.value.size(),
+                       entry.value.type());  // there is room, and a std::vector that is too long becomes shorter
             entry.value.copyTo(out);
         }
     }
-    entries.clear();
+    entries_.clear();
 }
 
 }  // namespace detail

@@ -11,9 +11,10 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** The outputs of a call, which come all or not at all: add() makes room for each, which may throw where memory runs
-out or an array of fixed size does not fit, and write() hands all of them over and does not. Room that was made and
-never written to is given back. (Of UMat and lists other than vector<Mat> the shape may have changed then, not more.) */
+/** The outputs of a call, which come all or not at all. add() makes room for each output; it may throw where memory
+runs out or an array of fixed size does not fit. write() hands all of them over and does not throw. The destructor gives
+back room that was never written to. Only the shape of a UMat, and of a list other than vector<Mat>, may have changed
+then. */
 class Outputs
 {
 public:
@@ -22,16 +23,19 @@ public:
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /** A matrix of one channel. Arrays of fixed type get it in their depth and channels; StsAssert, with `name` in the
-    message, where its rows are no elements of theirs. */
+    /** Adds a matrix of one channel. An array of fixed type gets it in its own depth and channels.
+    @throws cv::Exception StsAssert, with `name` in the message, where a row does not fit into an element. */
     void add(const Mat& value, OutputArray out, const char* name);
-    /** 3x1, in the depth of the array that was passed, as cv::solvePnP does it. What a float cannot hold becomes
-    CV_64F; StsOutOfRange where the type is fixed. */
+    /** Adds a 3x1 vector in the depth of the array that was passed, as cv::solvePnP does it. A value beyond the range
+    of a float becomes CV_64F.
+    @throws cv::Exception StsOutOfRange where the type is fixed and float, and cannot hold the value. */
     void add(const Vec3d& value, OutputArray out, const char* name);
-    /** A list of them: of matrices (3x1, CV_64F), or of the fixed type that was passed (Vec3d, Vec3f, Point3d...);
-    StsOutOfRange where that is float and cannot hold them. */
+    /** Adds a list of vectors: as matrices (3x1, CV_64F), or as the fixed type that was passed (Vec3d, Vec3f,
+    Point3d...).
+    @throws cv::Exception StsOutOfRange where that type is float and cannot hold a value. */
     void add(const std::vector<Vec3d>& values, const _OutputArray& out, const char* name);
 
+    /** Writes all outputs that were added. */
     void write();
 
 private:
@@ -39,10 +43,10 @@ private:
     {
         const _OutputArray* out;
         Mat value;
-        std::vector<Mat> list;  // of a vector<Mat>
-        int before;             // elements of a std::vector
+        std::vector<Mat> list;  // filled for a list of vectors, where `value` is empty
+        int before;             // elements that a std::vector had
     };
-    std::vector<Entry> entries;
+    std::vector<Entry> entries_;
 
     void reserve(const Mat& value, const _OutputArray& out);
 };

@@ -27,7 +27,8 @@ bool pixelUncertainty(const CameraModel& camera, const Result& result, const Vec
     covariance = Matx22d::zeros();
     if (result.poseCovariance.empty())
         return true;
-    // dX = [ -[X]_x , I ] xi;  the ray turns by dX across it over the distance, the pixel by the inverse of the lens.
+    // The point moves by dX = [ -[X]_x , I ] xi. Its ray turns by the part of dX across it, over the distance; the
+    // inverse of the lens turns that into a change of the pixel.
     const double byXi[] = {0,     X[2],  -X[1], 1, 0, 0,  //
                            -X[2], 0,     X[0],  0, 1, 0,  //
                            X[1],  -X[0], 0,     0, 0, 1};
@@ -42,17 +43,17 @@ bool pixelUncertainty(const CameraModel& camera, const Result& result, const Vec
 
 namespace {
 
-constexpr int SHIFT = 4;  // fractional bits of drawn positions
+constexpr int SHIFT = 4;  // OpenCV draws positions with so many fractional bits
 
 const Scalar AXES[] = {{0, 0, 255, 255}, {0, 255, 0, 255}, {255, 0, 0, 255}};
 const Scalar ELLIPSE(0, 255, 255, 255);
 
-// What lies further away than this many pictures is left out: fixed-point positions have an end.
-constexpr double FAR = 10;
+// Pixels further away than this many pictures are not drawn, because fixed-point positions have an end.
+constexpr double FARTHEST = 10;
 
 bool drawable(const Point2d& p, const Size& size)
 {
-    const double reach = FAR * std::max(size.width, size.height);
+    const double reach = FARTHEST * std::max(size.width, size.height);
     return std::abs(p.x) < reach && std::abs(p.y) < reach;
 }
 
@@ -75,7 +76,8 @@ void drawAxis(Mat& image, const CameraModel& camera, const Result& result, const
         Point2d pixel;
         const bool seen =
             camera.projectPoint(R * tip * (double(i) / STEPS) + result.tvec, pixel) && drawable(pixel, image.size());
-        // Across the seam of a panorama neighbours are half a picture apart.
+        // Neighbours on both sides of the seam of a panorama are more than half a picture apart: the curve breaks
+        // there.
         if (!seen || (!curve.empty() && std::abs(pixel.x - curve.back().x) > image.cols / 2.)) {
             drawCurve(image, curve, colour, thickness);
             curve.clear();
@@ -89,8 +91,8 @@ void drawAxis(Mat& image, const CameraModel& camera, const Result& result, const
 void drawEllipse(Mat& image, const Point2d& centre, const Matx22d& covariance, int thickness)
 {
     constexpr int STEPS = 72;
-    constexpr double RADIUS2 = 5.991464547107979;  // -2 log .05: chi-squared of two degrees of freedom
-    // Cholesky: the unit circle becomes the ellipse.
+    constexpr double RADIUS2 = 5.991464547107979;  // statistics: 95 % of chi-squared with 2 degrees, -2 log .05
+    // The Cholesky factor of the covariance turns the unit circle into the ellipse.
     const double a = std::sqrt(RADIUS2 * covariance(0, 0));
     const double b = a > 0 ? RADIUS2 * covariance(0, 1) / a : 0;
     const double c = std::sqrt(std::max(RADIUS2 * covariance(1, 1) - b * b, 0.));
@@ -121,7 +123,7 @@ void drawPoseUncertainty(InputOutputArray image, const Ptr<CameraModel>& camera,
         CV_Error(Error::StsBadArg, format("length: %g is not positive", length));
     if (thickness < 1)
         CV_Error(Error::StsBadArg, format("thickness: %d is not positive", thickness));
-    Mat picture = shown.clone();  // so that no half of a drawing is left where memory runs out or `points` are none
+    Mat picture = shown.clone();  // a call that throws leaves no half of a drawing
     for (int axis = 2; axis >= 0; --axis) {
         Vec3d tip;
         tip[axis] = length;

@@ -11,8 +11,13 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** Where an object point is seen, and the covariance of that pixel [px^2] from the covariance of the pose, to first
-order (zero without one). Whether the lens sees it. */
+/** Finds the pixel of an object point, and its covariance [px^2], 2x2, to first order from the covariance of the pose.
+@param camera the lens.
+@param result a pose; without Result::poseCovariance the covariance of the pixel is zero.
+@param point object point, object frame, the caller's length.
+@param pixel px.
+@param covariance px^2.
+@return whether the lens sees the point. */
 CV_EXPORTS bool pixelUncertainty(const CameraModel& camera, const Result& result, const Vec3d& point, Point2d& pixel,
                                  Matx22d& covariance);
 
