@@ -17,10 +17,10 @@ using Matrix9d = Eigen::Matrix<double, 9, 9>;
 using Vector9d = Eigen::Matrix<double, 9, 1>;
 using Matrix93d = Eigen::Matrix<double, 9, 3>;
 using Matrix39d = Eigen::Matrix<double, 3, 9>;
-// Products of this size are written lazyProduct(): Eigen's blocked kernels are for larger ones.
+// Products of this size are written lazyProduct(), because Eigen's blocked kernels are made for larger ones.
 
-// The cost as a quadratic form of r = vec(R) (columns stacked) with the translation eliminated; it is the form of
-// SQPnP (Terzakis and Lourakis, ECCV 2020), which holds for unit rays of any direction with Q_i = I - m_i m_i^T.
+// The cost as a quadratic form of r = vec(R) (columns stacked). The translation is eliminated. It is the form of SQPnP
+// (Terzakis and Lourakis, ECCV 2020), which holds for unit rays of any direction with Q_i = I - m_i m_i^T.
 struct RotationCost
 {
     Matrix9d Omega;  // cost = r^T Omega r
@@ -53,7 +53,7 @@ RotationCost rotationCost(const Correspondences& data)
 
 constexpr int NEWTON_ROUNDS = 30;
 constexpr int NEWTON_HALVINGS = 8;
-constexpr double NEWTON_STEP = 1e-10;  // rad: convergence is quadratic, one more step would be below rounding
+constexpr double NEWTON_STEP = 1e-10;  // rad; convergence is quadratic, so one more step would be below rounding
 
 // Omega times r = vec(R), and the cost r^T Omega r.
 struct CostAt
@@ -84,7 +84,7 @@ Matrix93d timesJacobian(const Matrix9d& Omega, const Matrix3d& R)
     return out;
 }
 
-// Newton direction on SO(3) for R <- Exp(phi) R; where the Hessian is indefinite, its positive Gauss-Newton part.
+// The Newton direction on SO(3) for R <- Exp(phi) R. Where the Hessian is indefinite, its Gauss-Newton part is taken.
 Vector3d newtonDirection(const RotationCost& cost, const Matrix3d& R, const Matrix3d& G)
 {
     const Vector3d gradient = R.col(0).cross(G.col(0)) + R.col(1).cross(G.col(1)) + R.col(2).cross(G.col(2));  // J^T Or
@@ -102,7 +102,7 @@ Vector3d newtonDirection(const RotationCost& cost, const Matrix3d& R, const Matr
 
 PoseCandidate descend(const RotationCost& cost, Matrix3d R)
 {
-    // Where the cost is flat it hides a step that the gradient still tells: a rise within its rounding is none.
+    // A rise within the rounding of the cost is none: where the cost is flat, the gradient still tells a step.
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * cost.Omega.trace();
     CostAt at(cost, R);
     for (int round = 0; round < NEWTON_ROUNDS; ++round) {
@@ -133,7 +133,7 @@ bool inFront(const Correspondences& data, const Pose& pose)
     return 2 * rayKernels(data.size()).behind(data.arrays(), entriesOf(pose).data()) < data.size();
 }
 
-// Two rotations are one minimum when closer than this [rad].
+// Two rotations are one minimum when they are closer than this [rad]: descents to it end within rounding.
 constexpr double SAME_MINIMUM = 1e-4;
 
 bool same(const Pose& a, const Pose& b)
@@ -169,7 +169,7 @@ std::array<Matrix3d, 24> cubeRotations()
     return rotations;
 }
 
-// The pose that a flat object is taken for: its normal mirrored at the line of sight to its centre.
+// The pose that a flat object can be mistaken for. Its normal is mirrored at the line of sight to its centre.
 Matrix3d mirrored(const Pose& pose, const Vector3d& normal)
 {
     const Vector3d sight = pose.t.normalized(), n = pose.R * normal;
@@ -186,12 +186,12 @@ Vector3d flattestDirection(const Correspondences& data)
     return Eigen3d(M).eigenvectors().col(0);
 }
 
-constexpr int CUBE_STARTS = 4;  // best of the 24 that are descended from
+constexpr int CUBE_STARTS = 4;  // descents start from the best of the 24
 
 void searchMinima(const Correspondences& data, const RotationCost& cost, std::vector<PoseCandidate>& minima)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix9d> eigen(cost.Omega);
-    for (int k = 0; k < 4; ++k)  // four points leave a null space of dimension four, a plane one of three
+    for (int k = 0; k < 4; ++k)  // four points leave a null space of four dimensions, a plane one of three
         for (double sign : {1.0, -1.0}) {
             const Vector9d e = sign * eigen.eigenvectors().col(k);
             keep(descend(cost, nearestRotation(Eigen::Map<const Matrix3d>(e.data()))), data, minima);
@@ -209,7 +209,7 @@ void searchMinima(const Correspondences& data, const RotationCost& cost, std::ve
 
 namespace {
 
-// The smallest eigenvalue of Omega and its unit eigenvector, by inverse iteration; none of what rounding has ruined.
+// The smallest eigenvalue of Omega and its unit eigenvector by inverse iteration; none where rounding has ruined Omega.
 struct LeastEigen
 {
     Vector9d vector;
@@ -230,7 +230,7 @@ std::optional<LeastEigen> leastEigen(const Matrix9d& Omega)
     return least;
 }
 
-// The rotation nearest to an eigenvector of either sign; none where it is not much like a rotation.
+// The rotation nearest to an eigenvector of either sign; none where it is too unlike a rotation.
 std::optional<Matrix3d> rotationFrom(const Vector9d& e)
 {
     constexpr double LIKE_A_ROTATION = 0.2;  // determinant; 1 for a rotation
@@ -252,7 +252,7 @@ std::optional<Matrix3d> rotationFrom(const Vector9d& e)
 bool oneCapHoldsAll(const Matrix9d& Omega, const LeastEigen& least, double most)
 {
     constexpr double CAP = 0.174;   // 3 sin^2(psi / 2) with 3 cos psi = 1 + 2 cos(0.6 rad)
-    constexpr double BELOW = 0.98;  // the inverse iteration ends a little above the smallest eigenvalue
+    constexpr double BELOW = 0.98;  // inverse iteration ends a little above the smallest eigenvalue
     const double lambda = BELOW * least.value, tau = lambda + (most - 3 * lambda) / CAP;
     const Matrix9d bounded =
         Omega + (tau - lambda) * least.vector * least.vector.transpose() - tau * Matrix9d::Identity();

@@ -18,15 +18,18 @@ struct PoseCandidate
     double cost;
 };
 
-/** Minima up to this ratio to the best cost are kept: noise of one shape for all points may have swapped them. */
+/** Minima up to this ratio to the best cost are kept, because noise of one shape for all points may have swapped them.
+Fitted: gmlpnp_reliability --searched (doc/reliability.md). */
 constexpr double INITIAL_COST_RATIO = 2;
 
-/** A proof that there is no other minimum up to this ratio: more would leave most scenes without a proof. */
+/** The ratio up to which a proof must exclude other minima. With more, most scenes would be left without a proof. */
 constexpr double CERTIFIED_COST_RATIO = 1.1;
 
-/** All distinct minima with most points in front of the camera, best first, whose cost is within `costRatio` of the
-best; empty where there is none. One is enough where it is proved to be the only one up to the ratio `certified`;
-infinite ratios: no proof is tried. No guess is needed; any direction of the rays will do. */
+/** The distinct minima with most points in front of the camera, best first; empty where there is none. They need no
+guess, and the rays may have any direction.
+@param costRatio of the costs of a minimum and of the best, up to which it is returned.
+@param certified ratio: where one minimum is proved to be the only one up to it, it is returned alone. With an infinite
+ratio no proof is tried. */
 CV_EXPORTS std::vector<PoseCandidate> initialPoses(const Correspondences& data, double costRatio = INITIAL_COST_RATIO,
                                                    double certified = CERTIFIED_COST_RATIO);
 

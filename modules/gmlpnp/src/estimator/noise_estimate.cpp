@@ -24,13 +24,13 @@ Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const 
 
 namespace {
 
-// Which of the two noises.
+// Each of the two noises is sought, or not.
 struct Which
 {
     bool object, bearing;
 };
 
-// The 12 entries in units of the isotropic variance at mean depth, so that nothing depends on lengths.
+// The 12 entries are in units of the isotropic variance at mean depth. So nothing depends on lengths.
 struct Units
 {
     Units(const Correspondences& data, const Pose& pose, const Noise& noise)
@@ -47,10 +47,10 @@ struct Units
     }
 
     Vector12d entry;
-    double depth2Variance;  // of s^2, relative: where it is small object noise looks like bearing noise
+    double depth2Variance;  // relative variance of s^2; where it is small, object noise looks like bearing noise
 };
 
-// The rows and columns of what is not sought become those of the identity.
+// Rows and columns of a noise that is not sought become those of the identity.
 Matrix12d restrictedTo(const Which& sought, Matrix12d F)
 {
     for (int k = 0; k < 12; ++k)
@@ -62,7 +62,8 @@ Matrix12d restrictedTo(const Which& sought, Matrix12d F)
     return F;
 }
 
-// Entries below this share of the largest variance are rounding or chance, and no weights for the next step.
+// Statistics: variances below this share of the largest are chance or rounding, and would weigh points in the next
+// step.
 constexpr double SMALLEST_VARIANCE = 1e-3;
 
 Noise stepped(const Noise& noise, const Which& sought, const Vector12d& step, const Matrix3d& R)
@@ -75,12 +76,12 @@ Noise stepped(const Noise& noise, const Which& sought, const Vector12d& step, co
     return next;
 }
 
-// Scoring with steps that hardly move what the data hardly observe: after k of them a direction whose information is f
-// has gone 1 - (damping / (damping + f))^k of its way.
+// Damped scoring hardly moves a direction that the data hardly observe: after k steps one with the information f has
+// gone 1 - (damping / (damping + f))^k of its way.
 Noise scored(const Correspondences& data, const Estimate& found, const Which& sought, const Units& units)
 {
     constexpr int STEPS = 3;
-    constexpr double DAMPING = SHRINKAGE / 2;  // of a point
+    constexpr double DAMPING = SHRINKAGE / 2;  // information of a point
     Vector12d damping;
     damping << 1, 2, 2, 1, 2, 1, 1, 2, 2, 1, 2, 1;
     const Matrix12d F = noiseInformation(data, found.pose, found.noise);
@@ -104,7 +105,7 @@ Noise scored(const Correspondences& data, const Estimate& found, const Which& so
     return noise;
 }
 
-// Standard deviations of the entries of R^T C R, C with this covariance of its entries.
+// Standard deviations of the entries of R^T C R, from the covariance of the entries of C.
 Matrix3d entryDeviations(const Matrix6d& covariance, const Matrix3d& R)
 {
     Matrix6d rotation;
@@ -118,7 +119,7 @@ Matrix3d entryDeviations(const Matrix6d& covariance, const Matrix3d& R)
 
 void addErrors(const Matrix12d& F, const Units& units, const Which& open, int n, const Matrix3d& R, NoiseEstimate& out)
 {
-    // Stands in for the information on what the data do not tell at all: an error of 1e5 times the noise.
+    // Where the data tell nothing at all, this information stands for an error of 1e5 times the noise.
     constexpr double NOTHING = 1e-10;
     Matrix12d A = units.entry.asDiagonal() * F * units.entry.asDiagonal();
     A.diagonal().array() += NOTHING;
@@ -130,12 +131,13 @@ void addErrors(const Matrix12d& F, const Units& units, const Which& open, int n,
         out.bearingError = entryDeviations(covariance.bottomRightCorner<6, 6>(), Matrix3d::Identity());
 }
 
-// Also the noise that the pose does without, since the choice makes the other one too large. But not where depths are
-// so alike that hardly anything tells one from the other: what floors lift there would spoil their sum.
+// A noise that did not weigh the pose is sought, too, because leaving it out makes the other one too large. Where
+// depths are so alike that hardly anything tells them apart it is not: the floors would spoil the sum of the two.
 Which soughtOf(NoiseKind kind, const Which& open, const Units& units)
 {
-    constexpr double ALIKE = 0.25;  // .06 where depths are the same and the field is 45 degrees; .6 where they differ
-                                    // by a factor of four
+    // The relative variance of s^2 is .06 for equal depths in a field of 45 degrees, and .6 where depths differ by a
+    // factor of four. Fitted: scripts/figures.sh recovery; held by Gmlpnp_NoiseEstimate.*.
+    constexpr double ALIKE = 0.25;
     const bool both = kind == NoiseKind::BOTH || units.depth2Variance > ALIKE;
     if (isConstant(kind))
         return {false, false};

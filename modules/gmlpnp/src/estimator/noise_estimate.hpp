@@ -14,21 +14,23 @@ namespace detail {
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
-/** What is said about the noise itself, where the pose only needs weights. Solver's units. */
+/** The noise for its own sake, in the solver's units. For the pose it only has to weigh the points. */
 struct NoiseEstimate
 {
     Noise noise;
-    /** Standard errors of the entries of Sigma (object frame) and of Gamma, both taken for unknown where they were not
-    given; orders of magnitude above the entries where the data do not tell. Zero for what was given. */
+    /** Standard errors of the entries of Sigma (object frame) and of Gamma. Both are taken for unknown unless they were
+    given. The errors are orders of magnitude above the entries where the data do not tell, and zero for a given
+    noise. */
     Matrix3d objectError, bearingError;
 };
 
 /** Expected curvature of L by the entries xx xy xz yy yz zz of R Sigma R^T and then of Gamma, camera frame. */
 CV_EXPORTS Matrix12d noiseInformation(const Correspondences& data, const Pose& pose, const Noise& noise);
 
-/** The noises that were not given, freed from the pull towards isotropy and from ending early, which the pose needs and
-which bias them: a few damped steps of Fisher scoring for both at once, at the pose that was found. Both also where the
-pose was weighed by one of them, unless the depths are too much alike to tell them apart.
+/** The noises that were not given, by a few damped steps of Fisher scoring for both at once at the pose that was found.
+So they are free from the pull towards isotropy and from the early end, which help the pose and bias the noise. Both are
+estimated even where one of them weighed the pose, unless the depths are too much alike to tell them apart
+(doc/theory.md, section 5).
 @param givenObject, givenBearing whether that noise was known. */
 CV_EXPORTS NoiseEstimate estimatedNoise(const Correspondences& data, const Estimate& found, bool givenObject,
                                         bool givenBearing);

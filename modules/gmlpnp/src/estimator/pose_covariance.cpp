@@ -20,11 +20,11 @@ double upperTail(double f, double d)
     return std::pow(x, a) * (1 + a * y * (1 + (a + 1) * y / 2));
 }
 
-// Quantile 0.95 of F(6, d) against its limit chi^2(6) / 6: what makes the 95 % ellipsoid hold the truth although the
-// noise was estimated from as few residuals.
+// The 0.95 quantile of F(6, d) over that of its limit chi^2(6) / 6. It makes the 95 % ellipsoid hold the truth although
+// the noise was estimated from few residuals.
 double ellipsoidFactor(double d)
 {
-    constexpr double CHI2_OVER_6 = 12.591587 / 6;
+    constexpr double CHI2_OVER_6 = 12.591587 / 6;  // mathematics
     double low = 1, high = 1e3;
     for (int k = 0; k < 60; ++k) {
         const double middle = std::sqrt(low * high);
@@ -33,9 +33,10 @@ double ellipsoidFactor(double d)
     return low / CHI2_OVER_6;
 }
 
-// Residual degrees of freedom: 2n - 6 judge one variance. How many a covariance leaves to a direction is measured, so
-// that the ellipsoid covers as promised (doc/theory.md): about n - 6 for object noise across a narrow view, fewer where
-// a third direction is seen, more for bearings, whose noise comes from the two of a picture.
+// Residual degrees of freedom. One variance is judged by 2n - 6. A covariance leaves about n - 6 to a direction for
+// object noise across a narrow view, fewer where a third direction is seen, and more for bearings, whose noise has the
+// two directions of a picture. Fitted so that the ellipsoid covers as promised: scripts/figures.sh coverage; held by
+// Gmlpnp_Noise.poseCovarianceCovers.
 double freedomOf(NoiseKind kind, double n, double directions)
 {
     constexpr double THIRD_DIRECTION = 11, BEARINGS = 3.5, NARROW = 6;
@@ -63,10 +64,10 @@ bool determined(const Matrix6d& H)
 {
     if (!H.allFinite() || !(H.diagonal().minCoeff() > 0))
         return false;
-    // The smallest eigenvalue of the correlation form; far small objects come near (extent / distance)^2.
+    // Rounding: far small objects have a smallest eigenvalue near (extent / distance)^2.
     constexpr double SINGULAR = 1e-14;
     const UnitDiagonal unit(H);
-    // Five eigenvalues of a trace of 6 have a product of at most (6/5)^5: mostly the determinant is proof enough.
+    // Five eigenvalues of a trace of 6 have a product of at most (6/5)^5 < 2.5. So the determinant mostly proves it.
     const Eigen::LLT<Matrix6d> llt(unit.matrix);
     const double rootDeterminant = llt.matrixLLT().diagonal().prod();
     if (llt.info() == Eigen::Success && rootDeterminant * rootDeterminant > 2.5 * SINGULAR)
@@ -95,7 +96,7 @@ double observedDirections(const Correspondences& data)
 Matrix6d poseCovariance(const Estimate& estimate, double n, double directions)
 {
     if (estimate.noise.tails.share > 0)
-        n -= 1;  // their share is estimated, too
+        n -= 1;  // the share of the tails is estimated, too
     const UnitDiagonal H(estimate.sums.H);
     const Matrix6d inverse = H.matrix.ldlt().solve(Matrix6d::Identity());
     const Matrix6d covariance = smallSample(estimate.kind, n, directions) / tailInformation(estimate.noise.tails).pose *

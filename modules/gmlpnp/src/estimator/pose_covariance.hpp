@@ -14,20 +14,20 @@ namespace detail {
 /** Whether the points determine the pose: H is positive definite beyond rounding. */
 CV_EXPORTS bool determined(const Matrix6d& H);
 
-/** Covariance of xi = (phi, delta) at an estimate, in the solver's units: H^-1, enlarged where the noise was estimated
-from the same residuals so that the 95 % ellipsoid holds the truth in 95 % of cases, plus the spread between kinds of
-noise.
+/** Covariance of xi = (phi, delta) at an estimate, in the solver's units (doc/theory.md, section 6): H^-1 plus the
+spread between kinds of noise. Where the noise was estimated from the same residuals, H^-1 is enlarged so that the 95 %
+ellipsoid holds the truth in 95 % of cases.
 @param n points; with tails the effectiveNumber() of them.
 @param directions the observedDirections() of the points. */
 CV_EXPORTS Matrix6d poseCovariance(const Estimate& estimate, double n, double directions);
 
-/** As many points of equal weight say as much about their mean as these: (sum w)^2 / sum w^2. */
+/** The number of points of equal weight that tell as much about their mean: (sum w)^2 / sum w^2. */
 double effectiveNumber(const std::vector<double>& weights);
 
-/** In how many directions the rays see object noise: 2 across a narrow view, 3 from all around. */
+/** The number of directions in which the rays see object noise: 2 across a narrow view, 3 from all around. */
 double observedDirections(const Correspondences& data);
 
-/** Solver's units to the caller's: delta = scale delta'. */
+/** From the solver's units to the caller's: delta = scale delta'. */
 CV_EXPORTS Matrix6d rescaled(const Matrix6d& covariance, double scale);
 
 /** Covariance of (rvec, tvec) from that of xi. */

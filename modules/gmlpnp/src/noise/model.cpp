@@ -22,7 +22,7 @@ Matrix3d emUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G, int n
 
 Matrix3d mmUpdate(const Matrix3d& C, const Matrix3d& Z, const Matrix3d& G)
 {
-    // A narrow view does not observe the direction of the rays, few points do not observe every direction.
+    // A narrow view does not observe the direction of the rays. Few points do not observe every direction.
     constexpr double OBSERVED = 1e-12;
     const Matrix3d CZC = symmetrised(C * Z * C);
     return CZC.trace() > 0 ? geometricMean(lifted(CZC, OBSERVED), lifted(G, OBSERVED)) : Matrix3d::Zero();
@@ -55,7 +55,7 @@ Noise updatedNoise(NoiseKind kind, const Noise& noise, const RaySums& sums, cons
         next.Sigma = regular(publishedUpdate(noise.Sigma, toObject(sums.Zo), n), TINY_FLOOR);
         return next;
     }
-    // A step twice as long meets twice the pull towards isotropy, so that they balance where they did.
+    // A step twice as long needs twice the pull towards isotropy: the two then balance where they did.
     constexpr double PULL = 2 * SHRINKAGE;
     if (kind != NoiseKind::BEARING)
         next.Sigma = shrunk(acceleratedMm(noise.Sigma, toObject(sums.Zo), toObject(sums.Go)), n, PULL);

@@ -9,9 +9,9 @@
 #include "scoring.hpp"
 #include "tails.hpp"
 
-// Fisher scoring of Sigma or of Gamma (doc/theory.md, section 4): with  dL/dC = (G - Z) / 2  and the expected curvature
-// 1/2 sum tr(Q E Q E')  it converges in 3 or 4 rounds also in directions that the data hardly observe, where MM crawls.
-// Those are held by the prior whose fixed point is the shrinkage:
+// Fisher scoring of Sigma or of Gamma (doc/theory.md, section 4). The gradient is  dL/dC = (G - Z) / 2,  the expected
+// curvature  1/2 sum tr(Q E Q E').  It converges in 3 or 4 rounds even in directions that the data hardly observe,
+// where MM crawls. These directions are held by the prior whose fixed point is the shrinkage:
 //
 //     kappa / 2 (log det C + tr(C_0 C^-1)),   C_0 = tr(C) / 3 I
 
@@ -67,14 +67,15 @@ Prior prior(const Matrix3d& C, double kappa)
     return {-0.5 * kappa * againstUnits(pull), kappa * curvature(q * q.transpose())};
 }
 
-// C moved by `step` along the geodesic that starts in its direction, so that it stays positive definite.
+// C moved along the geodesic that starts in the direction of `step`. So it stays positive definite.
 Matrix3d moved(const Matrix3d& C, const Matrix3d& step)
 {
-    constexpr double SHRINK = -2.5, GROW = 1.5;  // of the logarithm: a round does not leave the region it knows
+    constexpr double SHRINK = -2.5, GROW = 1.5;  // bounds of the logarithm: the curvature is known nearby only
     const Matrix3d L = C.llt().matrixL();
     const Matrix3d inverseL = L.inverse();
     Eigen3d eigen;
-    eigen.computeDirect(symmetrised(inverseL * step * inverseL.transpose()));  // a step need not be exact
+    eigen.computeDirect(symmetrised(inverseL * step *
+                                    inverseL.transpose()));  // less exact than the iteration, which a step need not be
     const Vector3d factors = eigen.eigenvalues().cwiseMax(SHRINK).cwiseMin(GROW).array().exp();
     const Matrix3d root = L * eigen.eigenvectors();
     return regular(symmetrised(root * factors.asDiagonal() * root.transpose()), TINY_FLOOR);

@@ -14,14 +14,15 @@ namespace detail {
 
 namespace {
 
-// A Gaussian noise fitted to few points follows the wildest of them so well that their tails hardly show: there the
-// test asks for less. [points]
+// A Gaussian noise fitted to few points follows the wildest of them so well that their tails hardly show. Below this
+// many points the test asks for less. Fitted: scripts/figures.sh tails; held by Gmlpnp_Noise.tails*.
 constexpr int FEW = 50;
-constexpr int MIN_POINTS_TAILS = 8;  // fewer lose more by tails that are not there than they gain by those that are
+// Fewer points lose more by tails that are not there than they gain by real ones. Fitted likewise.
+constexpr int MIN_POINTS_TAILS = 8;
 
-// Score test for tails heavier than Gaussian: the squared residuals of a Gaussian have  sum (c^2/4 - c)  of mean 0 and
-// variance 8 n, and with the scale fitted too  sum (c^2/4 - 2 c + 2)  of variance 4 n. The root of twice the variance
-// promises a gain of one nat.
+// Score test for tails heavier than Gaussian. Of Gaussian residuals  sum (c^2/4 - c)  has the mean 0 and the variance 8
+// n. With the scale fitted, too,  sum (c^2/4 - 2 c + 2)  has the variance 4 n. The root of twice the variance promises
+// a gain of one nat.
 bool promisesTails(const RaySums& sums, bool scaleKnown, int n)
 {
     if (n < MIN_POINTS_TAILS)
@@ -32,8 +33,8 @@ bool promisesTails(const RaySums& sums, bool scaleKnown, int n)
     return sums.c2 / 4 - 2 * sums.c + 2 * n > share * share * std::sqrt(8. * n);
 }
 
-// A noise whose shape is not that of the data has tails of its own, which go as the shape comes: those that a Student-t
-// of the same scale does not see.
+// A noise that does not have the shape of the data shows tails, too. They go as the shape comes, and a Student-t of the
+// same scale does not explain them.
 bool showAtTheSameScale(const double* c, const RaySums& sums, int n)
 {
     constexpr std::array<Tails, TRIED_TAILS> students = {Tails{1, 1, 16}, {1, 1, 8}, {1, 1, 4}, {1, 1, 2}};
@@ -49,10 +50,10 @@ bool mayHaveTails(const double* c, const RaySums& sums, bool scaleKnown, int n)
     return promisesTails(sums, scaleKnown, n) && (scaleKnown || n < FEW || showAtTheSameScale(c, sums, n));
 }
 
-// Shares that double from one to the next.
+// The shares that are tried double from one to the next.
 constexpr std::array<double, TRIED_TAILS> SHARES = {0.05, 0.1, 0.2, 0.4};
 
-// For each share the factor of the noise that fits best.
+// For each share the factor by which the noise fits best.
 using Factors = std::array<double, TRIED_TAILS>;
 using TriedSums = std::array<TailSums, TRIED_TAILS>;
 
@@ -68,14 +69,14 @@ TriedSums sumsAt(const Factors& factors, Tails tails, const double* c, int n)
     return sums;
 }
 
-// EM:  lambda <- 1/(2n) sum w c.
+// The EM step of a factor is  lambda <- lambda sum w c / (2n).
 void improve(Factors& factors, const TriedSums& sums, int n)
 {
     for (int k = 0; k < TRIED_TAILS; ++k)
         factors[k] *= sums[k].wc / (2 * n);
 }
 
-// In place of a Gaussian that was fitted to all of them.
+// The factors at first, where a Gaussian was fitted to all points.
 Factors firstFactors(double scale, const Tails& tails, const double* c, int n)
 {
     constexpr double NARROWER = 0.5;
@@ -87,7 +88,7 @@ Factors firstFactors(double scale, const Tails& tails, const double* c, int n)
     return factors;
 }
 
-// Their parts of L [nat].
+// The part of L that each share decides [nat].
 std::array<double, TRIED_TAILS> costsOf(const Factors& factors, const TriedSums& sums, int n)
 {
     std::array<double, TRIED_TAILS> costs{};
@@ -96,11 +97,12 @@ std::array<double, TRIED_TAILS> costsOf(const Factors& factors, const TriedSums&
     return costs;
 }
 
-// A share between those that are fitted: its prior, over that of the Gaussian, and its cost by theirs.
+// A share between those that are tried. Its cost follows from theirs.
 struct Between
 {
-    double share, prior;
-    std::array<double, TRIED_TAILS> basis;  // of the cubic through their costs, over the logarithm of the share
+    double share;
+    double prior;                           // over that of the Gaussian
+    std::array<double, TRIED_TAILS> basis;  // of the cubic through the costs, over the logarithm of the share
 };
 
 constexpr int PER_DOUBLING = 4, BETWEEN_COUNT = (TRIED_TAILS - 1) * PER_DOUBLING + 1;
@@ -108,7 +110,9 @@ using BetweenArray = std::array<Between, BETWEEN_COUNT>;
 
 BetweenArray sharesBetween()
 {
-    constexpr double PRIOR = 2.5;  // of a share over half of it; the least is as likely as none
+    // The prior of a share over that of half of it; the least is as likely as none. Fitted: scripts/figures.sh tails;
+    // held by Gmlpnp_Noise.tails*.
+    constexpr double PRIOR = 2.5;
     BetweenArray all{};
     for (int i = 0; i < BETWEEN_COUNT; ++i) {
         const double doublings = static_cast<double>(i) / PER_DOUBLING;
@@ -123,7 +127,7 @@ BetweenArray sharesBetween()
     return all;
 }
 
-// Where the likelihood is flat a mean errs less than its maximum; where it is not the two are one.
+// The posterior mean of the share. Where the likelihood is flat it errs less than the maximum; elsewhere the two agree.
 double meanShare(double gaussian, const std::array<double, TRIED_TAILS>& fitted)
 {
     static const BetweenArray all = sharesBetween();
@@ -142,7 +146,8 @@ double meanShare(double gaussian, const std::array<double, TRIED_TAILS>& fitted)
     return sum >= LIKE_GAUSSIAN * total ? sum / total : 0;
 }
 
-// Between the shares, and the Gaussian's `scale` at none, the logarithm of the factor runs straight.
+// The factor at any share. Its logarithm is interpolated linearly between the shares that are tried and the Gaussian's
+// `scale` at none.
 double factorAt(double share, double scale, const Factors& factors)
 {
     int k = 0;
@@ -152,7 +157,7 @@ double factorAt(double share, double scale, const Factors& factors)
     return from * std::pow(factors[k] / from, (share - before) / (SHARES[k] - before));
 }
 
-// Sigma and Gamma go where the share goes, and the factors are over them.
+// Sigma and Gamma change with the share. The factors are relative to them.
 void rescale(Noise& noise, Factors& factors, double share, double scale)
 {
     const double factor = factorAt(share, scale, factors),
@@ -168,7 +173,7 @@ void rescale(Noise& noise, Factors& factors, double share, double scale)
 void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
 {
     Tails& tails = noise.tails;
-    const bool atFloor = !scaleKnown_ && sums.c < n_;  // the data are better than the least noise
+    const bool atFloor = !scaleKnown_ && sums.c < n_;  // the data are better than the floor of the noise
     if (atFloor)
         tails.share = 0;
     if (atFloor || (tails.share == 0 && !mayHaveTails(c, sums, scaleKnown_, n_)))
@@ -189,7 +194,8 @@ void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
 
 bool TailSearch::areWild(const RaySums& sums) const
 {
-    // Mean of c^2 / 4 at the right scale: 2 for isotropic noise, 3 where it has one direction.
+    // The mean of c^2 / 4 at the right scale is 2 for isotropic noise, and 3 for noise along one direction. Fitted:
+    // scripts/figures.sh tails; held by Gmlpnp_Noise.tails*.
     constexpr double WILD = 5;
     const double scale = sums.c / (2 * n_);
     return !scaleKnown_ && sums.c >= n_ && sums.c2 / 4 > WILD * n_ * scale * scale;
@@ -199,9 +205,9 @@ bool sameTails(const Tails& a, const Tails& b, int n, double tolerance)
 {
     constexpr double SAME = 0.1;  // relative: moves L and the pose less than the tolerance does
     const double step = std::abs(a.share - b.share), larger = std::max(a.share, b.share);
-    if (step <= SAME * larger)  // also where there are none
+    if (step <= SAME * larger)  // also where neither has tails
         return true;
-    // At most: the information about a share is less than n / share.
+    // This is an upper bound, because the information about a share is less than n / share.
     return n * step * step / (2 * larger) < tolerance;
 }
 
@@ -209,8 +215,8 @@ TailInformation tailInformation(const Tails& tails)
 {
     if (tails.share == 0)
         return {1, 1};
-    // Means over c by v with v^2 = 1 / (1 + c / (dof spread2)), of which a Student-t is a polynomial: Gauss and
-    // Legendre.
+    // Means over c are integrated by v with v^2 = 1 / (1 + c / (dof spread2)). A Student-t is a polynomial of v, so the
+    // rule of Gauss and Legendre is exact for it.
     constexpr int INTERVALS = 16;
     constexpr double NODES[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
     constexpr double WEIGHTS[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};

@@ -11,15 +11,18 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** Estimates the tails, a round at a time. The scale is known where not all of the noise is estimated. */
+/** Estimates the tails, a round at a time (doc/theory.md, section 4). */
 class CV_EXPORTS TailSearch
 {
 public:
+    /** @param scaleKnown whether part of the noise is known, so that its scale is not fitted with the tails.
+    @param n points. */
     TailSearch(bool scaleKnown, int n) : scaleKnown_(scaleKnown), n_(n) { factors_.fill(1); }
 
     /** The share of points with wider noise becomes its posterior mean by the squared residuals `c` at `noise`, or 0
-    where a Gaussian does. Where the scale is not known, Sigma and Gamma change by the factor that goes with the change
-    of the share. `sums` are those of the pass that gave c. */
+    where a Gaussian explains them. Where the scale is not known, Sigma and Gamma change by the factor that goes with
+    the change of the share.
+    @param sums of the pass that gave c. */
     void update(Noise& noise, const double* c, const RaySums& sums);
 
     /** Whether isotropic noise shows tails that no other shape of it could take away. */
@@ -28,22 +31,23 @@ public:
 private:
     bool scaleKnown_;
     int n_;
-    std::array<double, TRIED_TAILS> factors_;  // of the noise that suits each share that is tried, over the present one
+    std::array<double, TRIED_TAILS> factors_;  // for each share that is tried: its best noise over the present one
 };
 
-/** Whether the step from one share to the other moves L by less than the tolerance [nat], or the weights hardly. */
+/** Whether the step from one share to the other moves L by less than the tolerance [nat], or hardly moves the weights.
+ */
 bool sameTails(const Tails& a, const Tails& b, int n, double tolerance);
 
-/** What a residual tells, as a share of what a Gaussian one does. */
+/** The Fisher information of a residual with tails, as a share of that of a Gaussian one. */
 struct TailInformation
 {
-    double pose;   //!< over the mean weight, as H is summed with weights
+    double pose;   //!< about the pose, over the mean weight because H is summed with weights
     double noise;  //!< about the shape of Sigma or Gamma
 };
 CV_EXPORTS TailInformation tailInformation(const Tails& tails);
 
-/** Degrees of freedom of the Student-t that is nearest by the divergence of Kullback and Leibler; infinity: Gaussian.
- */
+/** Degrees of freedom of the Student-t that is nearest by the divergence of Kullback and Leibler. Gaussian noise has
+infinitely many. */
 CV_EXPORTS double nearestStudentT(const Tails& tails);
 
 }  // namespace detail

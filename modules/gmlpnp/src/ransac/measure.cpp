@@ -13,8 +13,8 @@ namespace detail {
 
 namespace {
 
-// Share of a rectangle with these variances along its sides that a disc covers; of wrong correspondences anywhere in
-// it as many are inliers.
+// The share of a rectangle with these variances along its sides that a disc covers. As large a share of wrong
+// correspondences anywhere in the rectangle are inliers.
 double chanceOf(double radius, double variance1, double variance2)
 {
     constexpr double LEAST = 1e-9, MOST = 0.9;
@@ -53,11 +53,11 @@ Measure angularMeasure(const Mat_<double>& rays, double threshold)
 
 namespace {
 
-// The error in the picture, where the lens sees the point. Not across the seam of a panorama, where neighbouring rays
-// are far apart in the picture.
+// The error in the picture, where the lens sees the point. Across the seam of a panorama neighbouring rays are far
+// apart in the picture, so that the first order is taken there.
 double pixelError2(const CameraModel& camera, const Vector3d& X, const double* pixel, double threshold, double e2)
 {
-    constexpr double SEAM = 16;  // ratio of squares: the two agree otherwise
+    constexpr double SEAM = 16;  // ratio of squares; elsewhere the two agree
     Point2d seen;
     if (!camera.projectPoint({X.x(), X.y(), X.z()}, seen))
         return e2;

@@ -14,12 +14,12 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** How residuals are measured: to first order for the search, exactly for the inliers that are returned. */
+/** The measure of residuals. The search uses it to first order; the inliers that are returned are measured exactly. */
 struct Measure
 {
     std::vector<Metric> metrics;  //!< one a row of the observations
-    double chance;                //!< of a wrong correspondence to be an inlier
-    //! (row, X, e2): squared residual over squared threshold of a row at X, where it is e2 to first order.
+    double chance;                //!< probability that a wrong correspondence is an inlier
+    //! (row, X, e2): the squared residual over the squared threshold of a row at X, where it is e2 to first order.
     std::function<double(int, const Vector3d&, double)> exact;
 };
 
@@ -39,12 +39,13 @@ struct Inliers
 /** The correspondences within the threshold at a pose in their own units. */
 Inliers inliersOf(const Correspondences& data, const Measure& measure, const Pose& pose);
 
-/** What a threshold leaves of the variance of Gaussian noise in the picture (residuals of two dimensions):
+/** The share of the variance of Gaussian noise in the picture that a threshold leaves (residuals of two dimensions):
 
     E(|e|^2, |e| < 1) / (2 sigma^2) = 1 - x / (e^x - 1),   x = 1 / (2 sigma^2),   sigma in thresholds,
 
-of the mean square  1/x - 1/(e^x - 1)  of the residuals below it. It tells sigma where the threshold is above about 1.5
-of them; below, the residuals are as good as uniform, of a mean square of 1/2, and a bound is returned. */
+from the mean square  1/x - 1/(e^x - 1)  of the residuals below it. The mean square tells sigma where the threshold is
+above about 1.5 sigma. Below, the residuals are as good as uniform with a mean square of 1/2, and a bound is returned.
+*/
 CV_EXPORTS double varianceLeft(double meanSquare);
 
 }  // namespace detail

@@ -11,7 +11,8 @@
 //
 //     s^T M_ij s = a_ij,   s^T M_ij s = s_i^2 + s_j^2 - 2 b_ij s_i s_j
 //
-// and s, up to its length, lies on the conics  D1 = a_23 M_12 - a_12 M_23  and  D2 = a_23 M_13 - a_13 M_23.
+// and s, up to its length, lies on the conics  D1 = a_23 M_12 - a_12 M_23  and  D2 = a_23 M_13 - a_13 M_23. The pencil
+// and its degenerate member follow Persson and Nordberg 2018, the split into lines Ding et al. 2023.
 
 namespace cv {
 namespace gmlpnp {
@@ -24,9 +25,10 @@ constexpr int PAIRS[3][2] = {{0, 1}, {0, 2}, {1, 2}};
 struct Triangle
 {
     Triple rays;
-    double b[3], a[3];  // of the pairs; the largest a is 1
+    double b[3], a[3];  // cosine and squared distance of each pair; the largest a is 1
 };
 
+// Returns M_ij.
 Matrix3d lawOfCosines(int pair, double b)
 {
     const int i = PAIRS[pair][0], j = PAIRS[pair][1];
@@ -36,35 +38,36 @@ Matrix3d lawOfCosines(int pair, double b)
     return M;
 }
 
-constexpr int CUBIC_ROUNDS = 50;
-
-// The real root of  x^3 + c2 x^2 + c1 x + c0  farthest from the other two. Newton's method from beyond an extremum, on
-// the side where the curve bends away from zero, is monotonic.
+// Returns the real root of  x^3 + c2 x^2 + c1 x + c0  that is farthest from the other two. Newton's method starts
+// beyond an extremum, on the side where the curve bends away from zero, and so is monotonic.
 double isolatedRoot(double c2, double c1, double c0)
 {
+    constexpr int MOST_ROUNDS = 50;
+    constexpr double LAST_DIGIT = 1e-15;  // rounding, of the last step, relative
     const double inflection = -c2 / 3;
     const auto value = [=](double x) { return ((x + c2) * x + c1) * x + c0; };
-    const double halfWidth2 = (c2 * c2 - 3 * c1) / 9;  // of the interval between the extrema, squared
+    const double halfWidth2 = (c2 * c2 - 3 * c1) / 9;  // squared, of the interval between the extrema
     double x = inflection;
     if (halfWidth2 > 0)
         x += (value(inflection) > 0 ? -2 : 2) * std::sqrt(halfWidth2);
     else if (c1 == c2 * c2 / 3)
         return inflection - std::cbrt(value(inflection));
-    for (int round = 0; round < CUBIC_ROUNDS; ++round) {
+    for (int round = 0; round < MOST_ROUNDS; ++round) {
         const double step = value(x) / ((3 * x + 2 * c2) * x + c1);
         x -= step;
-        if (!(std::abs(step) > 1e-15 * std::abs(x)))
+        if (!(std::abs(step) > LAST_DIGIT * std::abs(x)))
             break;
     }
     return x;
 }
 
-// A member of the pencil A + gamma B that is a pair of lines, and a conic that is not this member.
+// The member of the pencil that is a pair of lines, and a conic that is not this member.
 struct DegenerateConic
 {
     Matrix3d pair, other;
 };
 
+// Solves det(A + gamma B) = 0, a cubic in gamma, for A and B among D1 and D2.
 DegenerateConic degenerateConic(const Matrix3d& D1, const Matrix3d& D2)
 {
     const Matrix3d adjugate1 = adjugate(D1), adjugate2 = adjugate(D2);
@@ -82,15 +85,15 @@ DegenerateConic degenerateConic(const Matrix3d& D1, const Matrix3d& D2)
     return {pair, std::abs(gamma) * B.squaredNorm() < A.cwiseAbs().maxCoeff() * B.norm() ? B : A};
 }
 
-// C = g l^T + l g^T  into its lines; false where they are complex. With v = g x l / 2 up to sign, adj(C) = -v v^T and
-// C + [v]_x has rank 1.
+// Splits  C = g l^T + l g^T  into its lines g and l. Returns false where they are complex. For v = g x l, up to sign,
+// adj(C) = -v v^T, and C + [v]_x is 2 g l^T or 2 l g^T, a matrix of rank 1.
 bool splitIntoLines(const Matrix3d& C, Vector3d& g, Vector3d& l)
 {
-    constexpr double ROUNDING = 1e-12;  // of the squared size of C: a double line
+    constexpr double DOUBLE_LINE = 1e-12;  // rounding, relative to the squared size of C
     const Matrix3d minusAdjugate = -adjugate(C);
     int k;
     const double largest = minusAdjugate.diagonal().maxCoeff(&k);
-    if (largest < -ROUNDING * C.squaredNorm())
+    if (largest < -DOUBLE_LINE * C.squaredNorm())
         return false;
     Matrix3d N = C;
     if (largest > 0)
@@ -102,10 +105,10 @@ bool splitIntoLines(const Matrix3d& C, Vector3d& g, Vector3d& l)
     return true;
 }
 
-// Where a line meets a conic: 0 or 2 points.
+// Finds where a line meets a conic. Returns the number of points, 0 or 2.
 int meet(const Vector3d& line, const Matrix3d& conic, Vector3d (&points)[2])
 {
-    constexpr double ROUNDING = 1e-10;  // relative: a tangent
+    constexpr double TANGENT = 1e-10;  // rounding, of the discriminant, relative
     int k;
     line.cwiseAbs().maxCoeff(&k);
     const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -116,7 +119,7 @@ int meet(const Vector3d& line, const Matrix3d& conic, Vector3d (&points)[2])
     const Vector3d Cu = conic * u, Cv = conic * v;
     const double uu = u.dot(Cu), uv = u.dot(Cv), vv = v.dot(Cv);
     const double discriminant = uv * uv - uu * vv;
-    if (!(discriminant >= -ROUNDING * (uv * uv + std::abs(uu * vv))))
+    if (!(discriminant >= -TANGENT * (uv * uv + std::abs(uu * vv))))
         return 0;
     const double h = -(uv + std::copysign(std::sqrt(std::max(discriminant, 0.)), uv));
     points[0] = h * u + uu * v;
@@ -124,17 +127,17 @@ int meet(const Vector3d& line, const Matrix3d& conic, Vector3d (&points)[2])
     return 2;
 }
 
-// Newton's method on the distances; whether they come out right. Where two poses are one the steps are arbitrary: a
-// step that does not help is undone.
+// Refines the depths by Newton's method on the three distances, and says whether they come out right. Where two poses
+// coincide the steps are arbitrary, so a step that does not help is undone.
 bool polish(const Triangle& triangle, Vector3d& s)
 {
-    constexpr int ROUNDS = 4;
-    constexpr double EXACT = 1e-14, WRONG = 1e-9;  // of the longest distance, squared
+    constexpr int MOST_ROUNDS = 4;
+    constexpr double EXACT_DISTANCE = 1e-14, WRONG_DISTANCE = 1e-9;  // rounding, relative to the longest, squared
     Vector3d before = s;
     double worstBefore = std::numeric_limits<double>::infinity();
     for (int round = 0;; ++round) {
         Vector3d residual;
-        double slope[3][2];  // of half the squared distance, by the two depths of the pair
+        double slope[3][2];  // derivative of half the squared distance by the two depths of the pair
         for (int pair = 0; pair < 3; ++pair) {
             const int i = PAIRS[pair][0], j = PAIRS[pair][1];
             const Vector3d d = s(i) * triangle.rays[i] - s(j) * triangle.rays[j];
@@ -145,8 +148,8 @@ bool polish(const Triangle& triangle, Vector3d& s)
         const double worst = residual.cwiseAbs().maxCoeff();
         if (!(worst < worstBefore))
             s = before;
-        if (!(worst < worstBefore) || worst < EXACT || round == ROUNDS)
-            return std::min(worst, worstBefore) < WRONG && s.minCoeff() > 0;
+        if (!(worst < worstBefore) || worst < EXACT_DISTANCE || round == MOST_ROUNDS)
+            return std::min(worst, worstBefore) < WRONG_DISTANCE && s.minCoeff() > 0;
         before = s;
         worstBefore = worst;
         const auto& [d01, d02, d12] = slope;
@@ -159,7 +162,7 @@ bool polish(const Triangle& triangle, Vector3d& s)
     }
 }
 
-// Orthonormal axes of a triangle.
+// Returns the orthonormal axes of a triangle: along its first side, across it in the plane, and normal to the plane.
 Matrix3d frame(const Vector3d& p0, const Vector3d& p1, const Vector3d& p2)
 {
     Matrix3d F;

@@ -13,15 +13,15 @@ namespace detail {
 
 using Triple = std::array<Vector3d, 3>;
 
-/** Every pose that puts three points on three rays with positive depths:  R p_i + t = s_i m_i,  s_i > 0.
+/** Finds every pose that puts three points on three rays with positive depths:  R p_i + t = s_i m_i,  s_i > 0.
 
-The depths are where two conics of the pencil  D1 + gamma D2  meet; a member that is a pair of lines turns them into
-two quadratic equations (Persson and Nordberg, "Lambda Twist", ECCV 2018; Ding et al., "Revisiting the P3P problem",
-CVPR 2023). Newton's method on the three distances ends it.
-@param points object points, not on one line.
-@param rays unit rays of any direction.
-@param poses the first entries are written.
-@return how many poses: 0 to 4. */
+The depths lie where two conics of the pencil  D1 + gamma D2  meet. One member of the pencil is a pair of lines, which
+leaves two quadratic equations (Persson and Nordberg, "Lambda Twist", ECCV 2018; Ding et al., "Revisiting the P3P
+problem", CVPR 2023). Newton's method on the three distances ends the search.
+@param points object points, object frame, not on one line; any length.
+@param rays unit rays of any direction, camera frame.
+@param poses poses in the length of the points; only the first entries, as many as are returned, are written.
+@return the number of poses, 0 to 4. */
 CV_EXPORTS int p3p(const Triple& points, const Triple& rays, std::array<Pose, 4>& poses);
 
 }  // namespace detail

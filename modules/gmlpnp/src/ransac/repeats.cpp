@@ -14,13 +14,15 @@ namespace {
 
 constexpr int NONE = -1;
 
-// Whether the ray of row i is within NEAR thresholds of that of row j.
+// Says whether the ray of row i is within SAME_RAY thresholds of the ray of row j.
 bool nearRay(const Correspondences& data, const std::vector<Metric>& metrics, int i, int j)
 {
-    constexpr double NEAR = 0.25;  // orientations of one keypoint are up to a pixel or two apart, thresholds several
+    // Statistics of detectors: the orientations of one keypoint are up to a pixel or two apart, a threshold is several.
+    // Held by Gmlpnp_SolveRansac.oneWrongMatchManyTimesDoesNotOutvoteTheTrueOnes.
+    constexpr double SAME_RAY = 0.25;
     const Vector3d ray = data.unitRayAt(i);
     const double s = ray.dot(data.unitRayAt(j));
-    return s > 0 && (metrics[j] * ray).squaredNorm() <= NEAR * NEAR * s * s;
+    return s > 0 && (metrics[j] * ray).squaredNorm() <= SAME_RAY * SAME_RAY * s * s;
 }
 
 bool allDistinct(const Correspondences& data)
@@ -38,12 +40,13 @@ std::vector<int> withoutRepeats(const Correspondences& data, const std::vector<M
 {
     if (allDistinct(data))
         return {};
-    constexpr int LOOKED_AT = 16;  // matches of a point: a bound on the time where one has thousands
+    constexpr int MOST_COMPARED = 16;  // kept matches of a point: bounds the time where a point has thousands
     DistinctPoints points(data, data.size());
-    // Of each point the row that was kept last, of each row the one of its point that was kept before it.
+    // `last` holds the row that was kept last of each point. `before` holds, for each kept row, the row of the same
+    // point that was kept before it.
     std::vector<int> last(data.size(), NONE), before(data.size(), NONE), kept;
     const auto repeats = [&](int row, int other) {
-        for (int k = 0; k < LOOKED_AT && other != NONE; ++k, other = before[other])
+        for (int k = 0; k < MOST_COMPARED && other != NONE; ++k, other = before[other])
             if (nearRay(data, metrics, row, other))
                 return true;
         return false;

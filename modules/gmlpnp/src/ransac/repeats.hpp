@@ -14,13 +14,15 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** The different ones among the points or rays of a problem, each looked up in constant time (open addressing), as
-RANSAC asks for all of them. It holds their rows alone: at a hundred thousand points fresh memory is what costs. */
+/** The set of different points, or of different rays, of a problem. A lookup takes constant time (open addressing),
+because RANSAC looks up all of them. The set holds rows alone, because at a hundred thousand points fresh memory takes
+most of the time. */
 template <Vector3d (Correspondences::*at)(int) const>
 class Distinct
 {
 public:
-    /** @param most rows that will be added; `data` must live as long. */
+    /** @param data the problem; it must live as long as the set.
+    @param most the most rows that will be added. */
     Distinct(const Correspondences& data, int most) : data_(data)
     {
         size_t size = 2;
@@ -29,9 +31,10 @@ public:
         slots_.assign(size, EMPTY);
     }
 
+    /** Returns the number of different ones that were added. */
     int count() const { return count_; }
 
-    /** Whether one equal to that of row i was added. */
+    /** Says whether a row equal to row i was added. */
     bool has(int i) const { return slots_[slotOf(i)] != EMPTY; }
 
     /** @return the first row added that is equal to row i. */
@@ -52,16 +55,16 @@ private:
     {
         uint64 hash = 0;
         for (int k = 0; k < 3; ++k) {
-            const double entry = value(k) + 0.;  // -0 is 0
+            const double entry = value(k) + 0.;  // adding zero makes -0 equal to 0
             uint64 bits;
             std::memcpy(&bits, &entry, sizeof bits);
-            hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;  // 2^64 over the golden ratio: Fibonacci hashing
+            hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;  // mathematics: 2^64 over the golden ratio (Fibonacci hashing)
             hash ^= hash >> 32;
         }
         return hash;
     }
 
-    // That of row i, or the empty one where it belongs.
+    // Returns the slot of row i, or the empty slot where it belongs.
     size_t slotOf(int i) const
     {
         const Vector3d value = (data_.*at)(i);
@@ -73,18 +76,19 @@ private:
     }
 
     const Correspondences& data_;
-    std::vector<int> slots_;  // a power of two of them, at most half of them taken
+    std::vector<int> slots_;  // their number is a power of two; at most half of them are taken
     int count_ = 0;
 };
 
 using DistinctPoints = Distinct<&Correspondences::pointAt>;
 using DistinctRays = Distinct<&Correspondences::scaledRayAt>;
 
-/** Rows of which none repeats another: of matches of one object point to nearly the same ray only the first. They are
-inliers together, so a search among all of them takes the most repeated for the most agreed with. Object points near
-each other are different ones, however near.
-@param metrics one a row.
-@return none where no row repeats another. */
+/** Returns the rows without repeats: of rows that repeat each other only the first. A row repeats another if it matches
+the same object point to nearly the same ray. Such rows are inliers together, so a search among all rows would prefer
+the pose of the most repeated one. Object points that differ at all are different ones, however near they are.
+@param data correspondences.
+@param metrics the metric of each row.
+@return rows in ascending order; empty where no row repeats another. */
 CV_EXPORTS std::vector<int> withoutRepeats(const Correspondences& data, const std::vector<Metric>& metrics);
 
 }  // namespace detail

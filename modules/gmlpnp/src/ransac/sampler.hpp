@@ -14,30 +14,34 @@ namespace detail {
 constexpr int SAMPLE_SIZE = 3;
 using Sample = std::array<int, SAMPLE_SIZE>;
 
-/** Samples of three of n points: of all with equal probability, or best first (PROSAC: Chum and Matas 2005, Eq. (3)).
-The same seed gives the same samples on every platform. */
+/** Draws samples of three of n points: with equal probability from all, or best first (PROSAC: Chum and Matas 2005,
+Eq. (3)). The same seed gives the same samples on every platform. */
 class Sampler
 {
 public:
-    /** @param most samples that will be drawn: by half of them the pool holds every point, but for what is rounded up.
-    Where the order means nothing the end of the list would not be looked at otherwise. */
+    /** @param n the number of points, at least three.
+    @param seed seed of the generator.
+    @param ordered whether the points stand best first.
+    @param most the most samples that will be drawn. After half of them the pool holds every point (rounding aside).
+    Otherwise the end of the list would never be drawn, even where the order means nothing. */
     Sampler(int n, uint64 seed, bool ordered, int most)
         : n_(n),
           rng_(seed),
           pool_(ordered ? SAMPLE_SIZE : n),
-          growing_(std::min(most * GROWING, ALL_SAMPLES)),
+          growing_(std::min(most * GROWING_SHARE, ALL_SAMPLES)),
           samplesOfPool_(growing_)
     {
         for (int i = 0; i < SAMPLE_SIZE; ++i)
             samplesOfPool_ *= double(SAMPLE_SIZE - i) / (n - i);
     }
 
+    /** Returns three different points. */
     Sample next()
     {
         ++drawn_;
         while (pool_ < n_ && drawn_ > endOfPool_)
             grow();
-        // While a pool is new, its newest point is in each sample.
+        // As long as the pool grows, each sample holds its newest point.
         Sample sample;
         const bool withNewest = newest_ && pool_ < n_;
         sample[0] = withNewest ? pool_ - 1 : rng_.uniform(0, pool_);
@@ -48,18 +52,21 @@ public:
         return sample;
     }
 
-    /** The points that samples have come from: the first so many. */
+    /** Returns the size of the pool: samples have come from so many first points. */
     int pool() const { return pool_; }
 
-    /** Samples of all points that those drawn are as good as: ordered ones are the same, in another order, once the
-    pool holds every point. */
+    /** Returns how many samples of all points those drawn are worth. Once the pool holds every point, ordered samples
+    are the same as others in another order; before that they are worth none. */
     double ofAll() const { return pool_ < n_ ? 0 : drawn_ - roundedUp_; }
 
 private:
-    static constexpr double ALL_SAMPLES = 200000;  // after which the paper's pool holds every point
-    static constexpr double GROWING = 0.5;         // share of the samples after which ours does, if these are fewer
+    static constexpr double ALL_SAMPLES = 200000;  // the paper's pool holds every point after so many samples
+    // Ours holds every point after this share of the samples that may be drawn, if these are fewer.
+    // fitted: doc/ransac.md, "Order"; held by Gmlpnp_Ransac.orderedSamplesComeToAllPoints
+    static constexpr double GROWING_SHARE = 0.5;
 
-    // The paper gives each pool a sample at least. Where there are too many points for that the later pools share them.
+    // Adds the next point to the pool: T_(n+1) of Eq. (3) and T'_(n+1) behind it. The paper gives each pool at least
+    // one sample. Where there are too many points for that the later pools share samples.
     void grow()
     {
         const double grown = samplesOfPool_ * (pool_ + 1) / (pool_ + 1 - SAMPLE_SIZE), more = grown - samplesOfPool_;
@@ -75,8 +82,11 @@ private:
     RNG rng_;
     int pool_;
     bool newest_ = false;
-    double growing_;  // samples until the pool holds every point, but for those rounded up
-    double drawn_ = 0, endOfPool_ = 1, samplesOfPool_, roundedUp_ = 0;
+    double growing_;  // the pool holds every point after so many samples and those rounded up
+    double drawn_ = 0;
+    double endOfPool_ = 1;  // T' of Eq. (3): the pool grows after so many samples
+    double samplesOfPool_;  // T of Eq. (3)
+    double roundedUp_ = 0;  // sum of T' - T over all pools
 };
 
 }  // namespace detail

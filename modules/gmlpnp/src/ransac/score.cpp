@@ -36,10 +36,11 @@ ScoredArrays ScoredPoints::arrays() const
 
 namespace {
 
-// Standard deviations that a pose as good as the best may look worse by, on the points seen so far.
+// Statistics: a pose as good as the best looks worse by fewer standard deviations with a probability of .999.
 constexpr double LATITUDE = 3;
 
-// Each point costs between 0 and 1, so the variance of a mean cost mu is at most mu (1 - mu).
+// Says whether a pose of this cost over the points seen so far cannot reach a mean cost as low as `mean`. Each point
+// costs between 0 and 1, so the variance of a cost of mean mu is at most mu (1 - mu).
 bool hopeless(double cost, double seen, double mean)
 {
     return cost > seen * mean + LATITUDE * std::sqrt(seen * mean * (1 - mean));
@@ -49,7 +50,7 @@ bool hopeless(double cost, double seen, double mean)
 
 Score ScoredPoints::sumUntil(const Pose& pose, int count, double best) const
 {
-    constexpr int GROUP = 64;  // points between two looks
+    constexpr int GROUP = 64;  // so many points lie between two decisions to give up
     const ScoredArrays data = arrays();
     const double mean = std::min(1., best / count);
     const std::array<double, 12> at = entriesOf(pose);
@@ -91,8 +92,8 @@ bool ScoredPoints::step(Pose& pose, double width, int count) const
     kernels_.robustStep(arrays(), entriesOf(pose).data(), width, std::min(size(), count), sums);
     const UnitDiagonal scaled(symmetric6(sums.H));
     const Eigen::LDLT<Matrix6d> ldlt(scaled.matrix);
-    constexpr double SINGULAR = 1e-12;
-    if (!(ldlt.vectorD().minCoeff() > SINGULAR))
+    constexpr double SMALLEST_PIVOT = 1e-12;  // rounding, at a unit diagonal
+    if (!(ldlt.vectorD().minCoeff() > SMALLEST_PIVOT))
         return false;
     const Vector6d g = scaled.scale.cwiseProduct(Eigen::Map<const Vector6d>(sums.g));
     pose = perturbed(pose, -scaled.scale.cwiseProduct(ldlt.solve(g)));

@@ -12,14 +12,15 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** Truncated cost of a pose over all points. */
+/** The truncated cost of a pose over all points (MSAC). */
 struct Score
 {
     double cost;  //!< sum min(|e|^2, 1)
     int inliers;  //!< points with |e| <= 1
 };
 
-/** The points in random order as columns, normalised as in Correspondences; poses too. */
+/** The points in random order, as columns. Points and poses are normalised as in Correspondences. The residual e is
+that of ransac/metric.hpp. */
 class CV_EXPORTS ScoredPoints
 {
 public:
@@ -30,28 +31,32 @@ public:
 
     int size() const { return static_cast<int>(columns_.rows()); }
 
+    /** Returns the cost of a pose over all points. */
     Score score(const Pose& pose) const;
 
-    /** The same over the first SCREENED points of the random order, given up (cost infinity) as soon as a pose as good
-    as one of cost `best` over these would not have come to this with a probability of about 0.999. */
+    /** Returns the cost over the first SCREENED points of the random order. It gives up early and returns an infinite
+    cost as soon as the cost is too high: a pose with a cost of `best` over these points would have stayed below it with
+    a probability of about 0.999. */
     Score scoreAgainst(const Pose& pose, double best) const;
 
-    /** Whether each point is an inlier, in the caller's order. */
+    /** Says of each point whether it is an inlier, in the caller's order. */
     std::vector<bool> inliers(const Pose& pose) const;
 
-    /** Robust Gauss-Newton: the weight of a point falls to zero at |e| = `width` (Tukey). One step over the first
-    `count` points of the random order; false where they do not determine one. */
+    /** Takes one robust Gauss-Newton step over the first `count` points of the random order. The weight of a point
+    falls to zero at |e| = `width` (Tukey).
+    @return false, and the pose as it was, where the points do not determine a step. */
     bool step(Pose& pose, double width, int count) const;
 
-    static constexpr int SCREENED = 512;  // of one inlier in ten there are fifty among them
+    /** Statistics: with one inlier in ten points there are about fifty among so many. */
+    static constexpr int SCREENED = 512;
 
 private:
     ScoredArrays arrays() const;
     Score sumUntil(const Pose& pose, int count, double best) const;
 
     const RayKernels& kernels_;
-    std::vector<int> order_;                             // of the rows: those of the caller
-    Eigen::Matrix<double, Eigen::Dynamic, 12> columns_;  // point, ray, both rows of the metric
+    std::vector<int> order_;                             // the caller's row of each row
+    Eigen::Matrix<double, Eigen::Dynamic, 12> columns_;  // point, ray, and both rows of the metric
 };
 
 }  // namespace detail

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int MIN_INLIERS = SAMPLE_SIZE + 1;  // one at least to agree with the sample
 
-// Samples that show the confidence even where one would do: three noisy points may give a poor pose.
+// The fewest samples, even where one would reach the confidence, because three noisy points may give a poor pose.
 constexpr int MIN_ITERATIONS = 20;
 
 double samplesOf(int n)
@@ -29,17 +29,18 @@ double samplesOf(int n)
     return count;
 }
 
-/** Samples after which the asked confidence is reached. Of those of inliers alone, one in five may be too noisy to
+/** The number of samples at which the asked confidence is reached. One in five all-inlier samples may be too noisy to
 lead to the pose. */
 double neededIterations(int inliers, int n, double confidence)
 {
+    // Fitted: scripts/bench.sh --ransac; held by Gmlpnp_Ransac.confidenceIsKept.
     constexpr double LEADS_TO_POSE = 0.8;
     const double good = LEADS_TO_POSE * samplesOf(inliers) / samplesOf(n);
     return std::log(1 - confidence) / std::log1p(-good);
 }
 
-/** Bound of the logarithm of the probability that of n each with a chance `p` at least k come out: of any k of them
-(union), for many that of Chernoff. */
+/** A bound of the logarithm of the probability that at least k of n events of probability p happen: the union bound
+over any k of them, and Chernoff's for many. */
 double logTail(int k, int n, double p)
 {
     constexpr int MANY = 50;
@@ -54,8 +55,8 @@ double logTail(int k, int n, double p)
     return std::min(bound, 0.);
 }
 
-/** Whether so many inliers mean something: the expected number of wrong poses, among the `tried` ones, that have as
-many by chance is below EXPECTED (a contrario: Moisan and Stival 2004). */
+/** Whether so many inliers mean something. Among the `tried` poses the expected number of wrong ones with as many
+inliers by chance is then below EXPECTED (a contrario: Moisan and Stival 2004). */
 bool significant(int inliers, int n, double chance, double tried)
 {
     constexpr double EXPECTED = 0.05;
@@ -63,7 +64,7 @@ bool significant(int inliers, int n, double chance, double tried)
            std::log(tried) + logTail(inliers - SAMPLE_SIZE, n - SAMPLE_SIZE, chance) < std::log(EXPECTED);
 }
 
-// A thin triangle gives no pose worth scoring: least height over longest side.
+// The pose of a thinner triangle is not worth scoring (least height over longest side).
 constexpr double THIN = 1e-3;
 
 bool thin(const Triple& p)
@@ -73,8 +74,8 @@ bool thin(const Triple& p)
     return !(a.cross(b).norm() > THIN * longest2);
 }
 
-/** Counts inliers that agree each for itself: one of an object point and one of a ray. Of wrong matches of one point to
-neighbouring pixels, or of many points to one pixel, all fit where one does. */
+/** Counts inliers that agree independently: one per object point and one per ray. Wrong matches of one point to
+neighbouring pixels, or of many points to one pixel, all fit where one of them does. */
 class Independent
 {
 public:
@@ -95,7 +96,7 @@ private:
     DistinctRays rays_;
 };
 
-/** A search: what is scored against what, and the best so far. */
+/** A search with its scored points and the best pose so far. */
 class Search
 {
 public:
@@ -135,14 +136,15 @@ public:
 
     bool finished(int drawn, const Sampler& sampler)
     {
-        constexpr double EXHAUSTED = 10;  // times as many samples as there are: e^-10 of them have not come
+        // After ten times as many draws as there are samples, e^-10 of the samples have not come.
+        constexpr double EXHAUSTED = 10;
         if (drawn >= EXHAUSTED * samplesOf(points_.size()))
             return true;
         if (drawn < MIN_ITERATIONS || best_.inliers < MIN_INLIERS)
             return false;
         if (sampler.ofAll() >= neededIterations(best_.inliers, points_.size(), options_.confidence))
             return true;
-        // Ordered samples all came from the pool, which may have more inliers.
+        // All ordered samples came from the pool, which may have a larger share of inliers.
         const int pool = sampler.pool();
         if (pool == points_.size())
             return false;
@@ -151,7 +153,7 @@ public:
                significant(inPool, pool, options_.chance, distinct());
     }
 
-    /** All points, until the inliers stay. */
+    /** The best pose, refined on all points until its inliers stay; none where they mean nothing. */
     std::optional<Pose> result()
     {
         if (!meansSomething())
@@ -170,7 +172,7 @@ public:
 
 private:
     static constexpr double WIDE = 3, NARROW = 1.5;  // thresholds
-    static constexpr double NEARLY = 1;              // an inlier fewer than the best, and a pose is still refined
+    static constexpr double NEARLY = 1;              // a pose with one inlier fewer than the best is still refined
     static constexpr int FINAL_ROUNDS = 10;
     static constexpr double SETTLED = 1e-3;  // of the cost
 
@@ -191,10 +193,10 @@ private:
         return pose;
     }
 
-    // Poses tried, but those of samples that came again.
+    // The number of poses tried without those of samples that came again.
     double distinct() const { return tried_ * std::min(1., samplesOf(points_.size()) / std::max(drawn_, 1.)); }
 
-    // Whether the best has as many independent inliers as chance does not give, or all of the points.
+    // Whether the best pose has more independent inliers than chance would give, or all of the points.
     bool meansSomething() const
     {
         const int n = points_.size();

@@ -13,17 +13,19 @@ namespace detail {
 
 namespace {
 
-// Spread of the points across the best line through them, relative to the spread along it. Collinear points given in
-// single precision come out near 1e-7, so nothing below this can be told from a line.
+// Rounding: the spread of the points across the best line through them, relative to the spread along it. Collinear
+// points given in single precision come out near 1e-7, so nothing below this can be told from a line.
 constexpr double COLLINEAR = 1e-6;
 
-// The same for rays: the root of the sum of their squared angles to the first [rad].
+// Rounding: the root of the sum of the squared angles of the rays to the first [rad].
 constexpr double PARALLEL = 1e-9;
 
-// Least known variance, of the mean over the points: below it sums with the others have no digits left.
+// Rounding: the least known variance over the mean of the points. Sums of smaller ones with the others have no digits
+// left.
 constexpr double EXACT = 1e-10;
 
-// Lifts what is below. Rows of 6, xx xy xz yy yz zz; `along`: how many directions have no variance and need none.
+// Lifts smaller variances to the least. The rows have 6 entries (xx xy xz yy yz zz). In `along` directions a covariance
+// has no variance and needs none.
 template <class Rows>
 void liftSingular(Rows rows, int along)
 {
@@ -182,7 +184,7 @@ bool Correspondences::degenerate() const
     return spread(1) <= line * line * spread(2) || sums_.apart2 <= PARALLEL * PARALLEL;
 }
 
-// The fewest distinct places stand first in most data: a few comparisons end the search.
+// In most data the first few points are at distinct places already, so that a few comparisons end the search.
 bool Correspondences::hasPlaces(int wanted) const
 {
     std::array<int, 4> places;

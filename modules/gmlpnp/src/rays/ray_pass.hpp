@@ -20,7 +20,7 @@ struct Noise
     Tails tails{};                      //!< of the share 0: Gaussian
 };
 
-/** What one correspondence says at a pose and a noise (doc/theory.md, section 2); the depth is eliminated. */
+/** The terms of one correspondence at a pose and a noise. The depth is eliminated (doc/theory.md, section 2). */
 struct PointTerms
 {
     Vector3d X;       //!< R p + t, camera frame
@@ -34,16 +34,17 @@ struct PointTerms
     Matrix3d Q;       //!< information of the ray about X, rank 2, Q m = 0
 };
 
-/** Where the rotation acts in J = [ -[lever]_x , I ]. A rotation turns R Sigma R^T too; with that, the gradient of c/2
-is Xhat x z in place of X x z. The difference has a mean that does not shrink with n where Sigma is anisotropic, and a
-lever arm that carries noise makes H too large. Algorithm 1 as published takes the points as they are. */
+/** The point at which a rotation acts in J = [ -[lever]_x , I ]. A rotation turns R Sigma R^T, too, so that the
+gradient of c/2 is Xhat x z and not X x z. The difference has a mean that does not shrink with n where Sigma is
+anisotropic. A lever arm that carries noise also makes H too large. Algorithm 1 as published takes the points as they
+are. */
 enum class LeverArm
 {
     AS_GIVEN,
     CORRECTED
 };
 
-/** What a pass is to add up beside the sums of a plain round. */
+/** What a pass adds up beside the sums of a plain round. */
 struct PassOptions
 {
     LeverArm lever = LeverArm::CORRECTED;
@@ -80,18 +81,19 @@ struct TailTerms
 };
 CV_EXPORTS TailTerms tailTerms(const Tails& tails, double c);
 
-/** Terms of one point; the readable twin of the pass. `S_o` is R Sigma R^T; both with what is known of the point. */
+/** The terms of one point. This is the readable twin of the pass, and a test holds the two together.
+@param S_o R Sigma R^T; it and Gamma include the known covariances of the point. */
 CV_EXPORTS PointTerms pointTerms(const Vector3d& p, const Vector3d& m, const Pose& pose, const Matrix3d& S_o,
                                  const Matrix3d& Gamma, const Tails& tails = {});
 CV_EXPORTS PointTerms pointTerms(const Correspondences& data, int i, const Pose& pose, const Noise& noise);
 
-/** R by rows, t: as the kernels take a pose. */
+/** A pose as the kernels take it: R by rows, then t. */
 std::array<double, 12> entriesOf(const Pose& pose);
 
-/** From its upper triangle by rows, as the kernels return it. */
+/** A symmetric matrix from its upper triangle by rows, as the kernels return it. */
 Matrix6d symmetric6(const double (&entries)[21]);
 
-/** One pass over the points: it reads, it adds, nothing else. No heap. */
+/** One pass over the points. It reads and adds, and takes nothing from the heap. */
 CV_EXPORTS RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise,
                            const PassOptions& options, const RayKernels& kernels);
 inline RaySums rayPass(const Correspondences& data, const Pose& pose, const Noise& noise,
