@@ -9,7 +9,7 @@ Usage: scripts/bench.sh [--times [Google Benchmark arguments...] | --batch | --r
 Builds into build/release and prints CPU times relative to SQPNP: medians of paired repetitions.
   --times    absolute times by Google Benchmark instead, e.g. --times --benchmark_filter=SQPNP
   --batch    how much faster solveBatch is on several threads
-  --ransac   RANSAC beside that of OpenCV instead (10 minutes): the tables of doc/ransac.md, which are replaced;
+  --ransac   RANSAC beside that of OpenCV instead (10 minutes): the tables of doc/lab/ransac.md, which are replaced;
              with another --scale (share of the problems) they are only printed
 HELP
   exit 0
@@ -35,8 +35,8 @@ if [[ "${1:-}" == --ransac ]]; then
   printf '%s\n\n' "$heading" >"$tables"
   build/release/test/benchmark/bench_ransac "$@" | tee -a "$tables"
   if [[ $# -eq 0 ]]; then
-    sed '/^<!-- table -->$/q' doc/ransac.md >build/release/doc.md
-    { cat build/release/doc.md && echo && cat "$tables"; } >doc/ransac.md
+    sed '/^<!-- table -->$/q' doc/lab/ransac.md >build/release/doc.md
+    { cat build/release/doc.md && echo && cat "$tables"; } >doc/lab/ransac.md
   fi
   exit 0
 fi

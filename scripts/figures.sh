@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the paper's experiments and those beyond it, draws them and writes the tables of doc/experiments.md and
-# doc/noise.md.
+# Runs the paper's experiments and those beyond it, draws them and writes the tables of doc/lab/experiments.md and
+# doc/lab/noise.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -8,10 +8,10 @@ usage() {
   cat <<'HELP'
 Usage: scripts/figures.sh [--quick] [--trials N] [--threads N] [experiment...]
 Builds into build/release, runs gmlpnp_experiments (all experiments, or those named) into build/experiments, draws them
-to build/experiments/pictures (PNG and SVG), copies the SVG to doc/figures and writes the tables of doc/experiments.md
-and doc/noise.md.
+to build/experiments/pictures (PNG and SVG), copies the SVG to doc/figures and writes the tables of
+doc/lab/experiments.md and doc/lab/noise.md.
   --quick       20 trials into build/experiments_quick, pictures there, doc/ left alone: whether it all runs
-  --trials N    problems per cell, default 500, and 2000 for those of doc/noise.md
+  --trials N    problems per cell, default 500, and 2000 for those of doc/lab/noise.md
   --threads N   worker threads, default one per core; the results do not depend on them
 The results of experiments that are not named are those of an earlier run.
 HELP
@@ -45,7 +45,7 @@ if $quick; then
   results=build/experiments_quick
   options=(--trials=20 "${options[@]}")
 fi
-# The questions of doc/noise.md ask for more problems; a --trials that was asked for comes last and wins.
+# The questions of doc/lab/noise.md ask for more problems; a --trials that was asked for comes last and wins.
 many_options=(--trials=2000)
 many=()
 few=()
@@ -66,6 +66,6 @@ program=build/release/samples/experiments/gmlpnp_experiments
 if ! $quick; then
   mkdir -p doc/figures
   cp "$results"/pictures/*.svg doc/figures/
-  /usr/bin/python3 scripts/figures/tables.py "$results" doc/experiments.md
-  /usr/bin/python3 scripts/figures/tables.py "$results" doc/noise.md
+  /usr/bin/python3 scripts/figures/tables.py "$results" doc/lab/experiments.md
+  /usr/bin/python3 scripts/figures/tables.py "$results" doc/lab/noise.md
 fi

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The tables and pictures of doc/real_data.md from the real data sets.
+# The tables and pictures of doc/lab/real_data.md from the real data sets.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -9,7 +9,7 @@ Usage: scripts/real_data.sh [DATA [OUTPUT]]
 Installs what is missing, builds into build/real_data and runs rgbd_motion, lidar_motion and uav_localization on the
 data sets in DATA (default: GMLPNP_DATA, else ../shared/data): tum_fr1_rpy, kitti360, aerial_ngi and aerial_odm. Those
 that are missing are named and left out. Tables and pictures go to OUTPUT (default: build/real_data/results, and the
-tables then also into doc/real_data.md).
+tables then also into doc/lab/real_data.md).
 HELP
   [[ "${1:-}" == --help ]] && exit 0 || exit 2
 fi
@@ -87,5 +87,5 @@ if present aerial_odm; then
 fi
 
 if [[ $# -lt 2 ]]; then
-  /usr/bin/python3 "$root/scripts/real_data_tables.py" "$output" "$root/doc/real_data.md"
+  /usr/bin/python3 "$root/scripts/real_data_tables.py" "$output" "$root/doc/lab/real_data.md"
 fi

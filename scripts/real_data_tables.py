@@ -1,4 +1,6 @@
-"""Writes the tables of doc/real_data.md from what scripts/real_data.sh measured: real_data_tables.py RESULTS DOCUMENT
+"""Writes the tables of doc/lab/real_data.md from what scripts/real_data.sh measured.
+
+real_data_tables.py RESULTS DOCUMENT
 
 After a marker  <!-- results NAME -->  and up to the next one, each table of the document becomes that of the same head in
 RESULTS/NAME/table.md or residuals.md, and each sentence on residuals the one there. The rest is left alone."""

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html
 
 // The paper's synthetic experiments and some beyond them, as CSV files: errors of all solvers of its Table I on the
-// same problems, with 95 % intervals. scripts/figures.sh draws them; doc/experiments.md says what they show.
+// same problems, with 95 % intervals. scripts/figures.sh draws them; doc/lab/experiments.md says what they show.
 
 #include <filesystem>
 #include <iostream>

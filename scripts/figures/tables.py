@@ -1,4 +1,4 @@
-"""Writes the tables of doc/experiments.md and doc/noise.md between their markers: tables.py RESULTS DOCUMENT
+"""Writes the tables of doc/lab/experiments.md and doc/lab/noise.md between their markers: tables.py RESULTS DOCUMENT
 
 A table stands between  <!-- table NAME -->  and  <!-- end of table -->;  the rest of the document is left alone."""
 

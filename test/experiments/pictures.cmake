@@ -11,7 +11,7 @@ if(NOT count EQUAL 14)
 endif()
 # Every table has its place in the document, and writing them again changes nothing.
 foreach(document "experiments.md" "noise.md")
-  file(COPY ${SOURCE_DIR}/doc/${document} DESTINATION ${WORK_DIR})
+  file(COPY ${SOURCE_DIR}/doc/lab/${document} DESTINATION ${WORK_DIR})
   expect(0 "[1-9]+ tables" /usr/bin/python3 -B ${scripts}/tables.py ${results} ${WORK_DIR}/${document})
   file(READ ${WORK_DIR}/${document} once)
   expect(0 "[1-9]+ tables" /usr/bin/python3 -B ${scripts}/tables.py ${results} ${WORK_DIR}/${document})

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html
 
 // Four points at a time with the 32 registers of AVX-512VL. Eight points were slower where it was measured
-// (doc/performance.md, "Instruction sets"). The build compiles this file alone for AVX-512; dispatch.cpp asks the
+// (doc/lab/performance.md, "Instruction sets"). The build compiles this file alone for AVX-512; dispatch.cpp asks the
 // machine before it calls anything of it.
 
 #if defined(__GNUC__) && defined(__AVX512VL__) && defined(__AVX512DQ__) && defined(__FMA__)
