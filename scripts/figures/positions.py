@@ -16,8 +16,8 @@ import gmlpnp
 import numpy as np
 from osgeo import gdal
 
-from panels import ellipse, plt
-from results import STYLES
+from panels import plt
+from figure_style import BLUE, ORANGE, ellipse
 
 gdal.UseExceptions()
 
@@ -137,10 +137,10 @@ def draw_map(ax, places, centres):
 
 def draw_positions(ax, estimates, title, colour):
     for error, C in estimates:
-        shape = ellipse(C, (0, 1), edgecolor=colour, linewidth=1.3, linestyle="-" if holds_truth(error, C) else "--")
+        shape = ellipse(C[:2, :2], edgecolor=colour, linewidth=1.3, linestyle="-" if holds_truth(error, C) else "--")
         shape.set_center(error[:2])
         ax.add_patch(shape)
-        area = ellipse(C, (0, 1), linewidth=0)
+        area = ellipse(C[:2, :2], linewidth=0)
         area.set(center=error[:2], fill=True, facecolor=colour, alpha=0.07)
         ax.add_patch(area)
         ax.plot(*error[:2], "o", color=colour, markersize=3.5)
@@ -158,8 +158,8 @@ def draw_positions(ax, estimates, title, colour):
 def draw(places, centres, pairs):
     fig, axes = plt.subplots(1, 3, figsize=(12, 4.6), gridspec_kw={"width_ratios": (0.8, 1, 1)})
     draw_map(axes[0], places, centres)
-    draw_positions(axes[1], [pair["SQPNP"] for pair in pairs], "cv::SOLVEPNP_SQPNP", "#0072B2")
-    draw_positions(axes[2], [pair["gmlpnp"] for pair in pairs], "cv::gmlpnp::solve", STYLES["GMLPnP marginal"]["color"])
+    draw_positions(axes[1], [pair["SQPNP"] for pair in pairs], "cv::SOLVEPNP_SQPNP", BLUE)
+    draw_positions(axes[2], [pair["gmlpnp"] for pair in pairs], "cv::gmlpnp::solve", ORANGE)
     axes[1].set_ylabel("north of the true position [m]")
     fig.tight_layout(rect=(0, 0, 1, 0.97))
     return fig
