@@ -50,7 +50,7 @@ struct FitOptions
 };
 
 /** The alternation from a start: in each round one Gauss-Newton step for the pose and one update of the noise, both
-from the sums of one pass (Algorithm 1 of the paper; doc/theory.md, section 4). */
+from the sums of one pass (Algorithm 1 of the paper; doc/theory.md, section 3). */
 CV_EXPORTS Estimate alternate(const Correspondences& data, const Pose& start, const NoiseStart& noise,
                               const FitOptions& options);
 

@@ -30,7 +30,7 @@ CV_EXPORTS Matrix12d noiseInformation(const Correspondences& data, const Pose& p
 /** The noises that were not given, by a few damped steps of Fisher scoring for both at once at the pose that was found.
 So they are free from the pull towards isotropy and from the early end, which help the pose and bias the noise. Both are
 estimated even where one of them weighed the pose, unless the depths are too much alike to tell them apart
-(doc/theory.md, section 5).
+(doc/theory.md, section 6).
 @param givenObject, givenBearing whether that noise was known. */
 CV_EXPORTS NoiseEstimate estimatedNoise(const Correspondences& data, const Estimate& found, bool givenObject,
                                         bool givenBearing);

@@ -14,7 +14,7 @@ namespace detail {
 /** Whether the points determine the pose: H is positive definite beyond rounding. */
 CV_EXPORTS bool determined(const Matrix6d& H);
 
-/** Covariance of xi = (phi, delta) at an estimate, in the solver's units (doc/theory.md, section 6): H^-1 plus the
+/** Covariance of xi = (phi, delta) at an estimate, in the solver's units (doc/theory.md, section 5): H^-1 plus the
 spread between kinds of noise. Where the noise was estimated from the same residuals, H^-1 is enlarged so that the 95 %
 ellipsoid holds the truth in 95 % of cases.
 @param n points; with tails the effectiveNumber() of them.

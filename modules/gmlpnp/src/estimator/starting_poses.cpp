@@ -34,7 +34,7 @@ double plausibleRatio(int n)
     return n > FEWEST ? std::exp(EVIDENCE / (n - 3)) : std::numeric_limits<double>::infinity();
 }
 
-// Fitted (doc/reliability.md, "the pose is that of the global minimum"): where the noise is far from isotropic the true
+// Fitted (doc/reliability.md, "(d): the best minimum"): where the noise is far from isotropic the true
 // pose has up to 2.2 times the best isotropic cost.
 constexpr double RATED_COST_RATIO = 3;
 

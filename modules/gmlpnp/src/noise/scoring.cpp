@@ -9,7 +9,7 @@
 #include "scoring.hpp"
 #include "tails.hpp"
 
-// Fisher scoring of Sigma or of Gamma (doc/theory.md, section 4). The gradient is  dL/dC = (G - Z) / 2,  the expected
+// Fisher scoring of Sigma or of Gamma (doc/theory.md, section 3). The gradient is  dL/dC = (G - Z) / 2,  the expected
 // curvature  1/2 sum tr(Q E Q E').  It converges in 3 or 4 rounds even in directions that the data hardly observe,
 // where MM crawls. These directions are held by the prior whose fixed point is the shrinkage:
 //

@@ -6,7 +6,7 @@
 
 #include "tails.hpp"
 
-// Heavy tails: most points are Gaussian, a share of them has a wider noise (doc/theory.md, section 4).
+// Heavy tails: most points are Gaussian, a share of them has a wider noise (doc/theory.md, section 3).
 
 namespace cv {
 namespace gmlpnp {

@@ -11,7 +11,7 @@ namespace cv {
 namespace gmlpnp {
 namespace detail {
 
-/** Estimates the tails, a round at a time (doc/theory.md, section 4). */
+/** Estimates the tails, a round at a time (doc/theory.md, section 3). */
 class CV_EXPORTS TailSearch
 {
 public:
