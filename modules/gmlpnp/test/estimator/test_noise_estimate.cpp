@@ -84,8 +84,8 @@ TEST(Gmlpnp_NoiseEstimate, informationIsThatOfEachPoint)
 }
 
 // The mean of each entry's error over many problems, and of the square of error over standard error. The bounds: four
-// standard errors of the mean, and what is known to be left: 2 % of the largest variance (doc/lab/noise.md), and for the
-// squares 20 %, because the errors of a variance are not quite Gaussian.
+// standard errors of the mean, and what is known to be left: 2 % of the largest variance (doc/lab/noise.md), and for
+// the squares 20 %, because the errors of a variance are not quite Gaussian.
 TEST(Gmlpnp_NoiseEstimate, bothNoisesAreUnbiasedAndTheirErrorsCalibrated)
 {
     constexpr int PROBLEMS = 300;
