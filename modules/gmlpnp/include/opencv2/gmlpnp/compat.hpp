@@ -5,7 +5,7 @@
 #ifndef OPENCV_GMLPNP_COMPAT_HPP
 #define OPENCV_GMLPNP_COMPAT_HPP
 
-// Everything that differs between the OpenCV versions this module serves stands here and nowhere else.
+// This header, and no other file, knows the differences between the versions of OpenCV that the module supports.
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/version.hpp>
@@ -19,7 +19,7 @@
 namespace cv {
 namespace gmlpnp {
 
-// The flags of cv::solvePnP, so that replacing `cv::` by `cv::gmlpnp::` compiles for each of them.
+// These are the flags of cv::solvePnP. With them `cv::gmlpnp::` can replace `cv::` in front of any flag.
 using cv::SOLVEPNP_AP3P;
 using cv::SOLVEPNP_EPNP;
 using cv::SOLVEPNP_IPPE;
@@ -32,7 +32,7 @@ using cv::SOLVEPNP_DLS;
 using cv::SOLVEPNP_UPNP;
 #endif
 
-// Those of cv::solvePnPRansac that choose another search.
+// These flags of cv::solvePnPRansac choose another search.
 using cv::USAC_ACCURATE;
 using cv::USAC_DEFAULT;
 using cv::USAC_FAST;
@@ -41,7 +41,7 @@ using cv::USAC_MAGSAC;
 using cv::USAC_PARALLEL;
 using cv::USAC_PROSAC;
 
-// Its options.
+// These are its options.
 using cv::UsacParams;
 
 }  // namespace gmlpnp

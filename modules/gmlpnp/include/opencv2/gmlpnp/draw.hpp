@@ -7,8 +7,8 @@
 
 #include "opencv2/gmlpnp.hpp"
 
-// Not included by opencv2/gmlpnp.hpp: it needs opencv_imgproc, the solver does not. Outside OpenCV's tree it is a
-// library of its own, gmlpnp::draw.
+// opencv2/gmlpnp.hpp does not include this header, because drawing needs opencv_imgproc and the solver does not.
+// Outside OpenCV's tree it is a library of its own, gmlpnp::draw.
 
 namespace cv {
 namespace gmlpnp {
@@ -16,20 +16,22 @@ namespace gmlpnp {
 //! @addtogroup gmlpnp
 //! @{
 
-/** @brief Draws the axes of the object frame, and where its origin and other points may lie in the picture.
+/** @brief Draws the axes of the object frame, and ellipses in which its origin and other points lie in the picture.
 
-The axes are those of cv::drawFrameAxes, x red, y green, z blue, for any lens: bent where the lens bends them. The
-ellipses hold the image of a point with a probability of 95 %: the covariance of the pose, carried to the pixel to first
-order. What the lens does not see is left out; without Result::poseCovariance there are no ellipses.
+The axes are those of cv::drawFrameAxes, x red, y green, z blue, for any lens, and bend where the lens bends them. An
+ellipse holds the image of its point with a probability of 95 %. It shows the covariance of the pose, carried to the
+pixel to first order. Points that the lens does not see are left out. Without Result::poseCovariance there are no
+ellipses.
 
-@param image picture, 8 bits, 1, 3 (blue, green, red) or 4 channels; drawn on, white on one channel; untouched
-by a call that throws.
+@param image picture, 8 bits, 1, 3 (blue, green, red) or 4 channels, which is drawn on, in white on one channel. A call
+that throws leaves it untouched.
 @param camera the lens of the picture.
 @param result a pose with its covariance, of solve() and its kin.
-@param length of the axes, the length unit of the object.
-@param points further object points to draw ellipses around, in any layout of solve(); none: only the origin.
-@param thickness of the axes, px; ellipses are half as thick.
-@throws cv::Exception StsAssert or StsBadArg for misuse, naming the argument. */
+@param length length of the axes, in the length unit of the object.
+@param points further object points to draw ellipses around, in any layout of solve(); without them only the origin has
+one.
+@param thickness thickness of the axes, px; ellipses are half as thick.
+@throws cv::Exception StsAssert or StsBadArg for misuse; the message names the argument. */
 CV_EXPORTS_W void drawPoseUncertainty(InputOutputArray image, const Ptr<CameraModel>& camera, const Result& result,
                                       double length, InputArray points = noArray(), int thickness = 3);
 
