@@ -45,7 +45,8 @@ Policy policyOf(NoiseKind kind)
     return kind == NoiseKind::PUBLISHED ? Policy{LeverArm::AS_GIVEN, false} : Policy{LeverArm::CORRECTED, true};
 }
 
-// From this many points on a pass costs more than the larger system of Fisher scoring.
+// From this many points on a pass costs more than the larger system of Fisher scoring. Measured:
+// doc/lab/performance.md.
 constexpr int SCORING_POINTS = 200;
 
 // After a round of scoring the error that is left is of second order, so the rounds may end this much earlier: no

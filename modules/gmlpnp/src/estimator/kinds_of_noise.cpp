@@ -35,7 +35,9 @@ Estimate fitIsotropic(const Correspondences& data, const Pose& start, const Know
 // which falls until the residuals are as large as the known noise lets expect.
 Pose annealToKnown(const Correspondences& data, Pose pose, const Noise& known)
 {
-    constexpr double GROSS = 2, STEP = 0.01;  // mean squared residual over its expectation; factor of the variance
+    // The first is the mean squared residual over its expectation, the second the factor of the variance. Both are held
+    // by Gmlpnp_Solve.knownNoisesOfVeryDifferentSizes.
+    constexpr double GROSS = 2, STEP = 0.01;
     constexpr Limits FEW_ROUNDS = {5, DEFAULT_TOLERANCE};
     const auto gross = [&] { return !(rayPass(data, pose, known).misfit <= GROSS * data.size()); };
     for (double common = splitResiduals(data, pose).object.a; common > NOISE_FLOOR * NOISE_FLOOR && gross();
@@ -47,7 +49,8 @@ Pose annealToKnown(const Correspondences& data, Pose pose, const Noise& known)
 }
 
 // L has optima that are no poses anybody wants: noise as large as the object explains any rays once the camera is
-// inside it, or a flat object is seen edge on. Such an end is far from the isotropic pose and fits clearly worse.
+// inside it, or a flat object is seen edge on. Such an end is far from the isotropic pose and fits clearly worse. Both
+// bounds are fitted: gmlpnp_reliability, held by Gmlpnp_Estimate.doesNotRunAwayFromTheIsotropicPose.
 bool noiseSwallowedTheObject(const Correspondences& data, const Pose& start, const Estimate& end)
 {
     constexpr double FAR = 0.15;                         // rad

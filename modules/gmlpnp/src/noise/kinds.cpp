@@ -92,7 +92,9 @@ double penaltyOf(NoiseKind kind)
 
 double priorCost(NoiseKind kind, const IsotropicSplit& split)
 {
-    // The first is in nats, the second the relative variance of s^2 at which the data begin to tell.
+    // The first is in nats, the second the relative variance of s^2 at which the data begin to tell. Fitted: without
+    // the prior a cube of 30 px at 100 points comes out .28 deviations too near. Held by scripts/figures.sh
+    // consistency.
     constexpr double COMPACT_PRIOR = 8, COMPACT = 0.02;
     return kind == NoiseKind::OBJECT ? COMPACT_PRIOR * std::exp(-split.depth2Variance / COMPACT) : 0;
 }
