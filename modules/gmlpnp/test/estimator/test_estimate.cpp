@@ -198,7 +198,7 @@ TEST(Gmlpnp_Estimate, aStepThatGoesWrongIsNoConvergence)
         for (int i = 0; i < N; ++i)
             for (int axis = 0; axis < 3; ++axis)
                 known(i, 4 * axis) = (i == 0 ? 1e-12 : 1) * 25. / 640000;
-        const Correspondences data(scene.objectPoints, scene.rays, {}, known);
+        const Correspondences data(Observations{scene.objectPoints, scene.rays, {}, known});
         const Noise noise = isotropic(1e-24, 0);
         const FitOptions options{defaultLimits(false)};
         const Estimate found = alternate(data, initialPoses(data).at(0).pose, {noise, NoiseKind::FIXED}, options);

@@ -38,7 +38,7 @@ inline Correspondences randomData(cv::RNG& rng, int n, bool known)
             Eigen::Map<Matrix3d>{rays[i]} = randomNoise(rng, 0.01);
         }
     }
-    return Correspondences(points, scene.rays, object, rays);
+    return Correspondences(Observations{points, scene.rays, object, rays});
 }
 
 inline Pose somePose(cv::RNG& rng)

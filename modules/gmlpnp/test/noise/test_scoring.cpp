@@ -4,7 +4,8 @@
 
 #include "../test_precomp.hpp"
 
-#include "../../src/estimator/estimate.hpp"
+#include "../../src/noise/model.hpp"
+#include "../../src/noise/scoring.hpp"
 #include "fixed_pose.hpp"
 
 namespace opencv_test {

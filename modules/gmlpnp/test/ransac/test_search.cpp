@@ -4,6 +4,7 @@
 
 #include "../test_precomp.hpp"
 
+#include "../../src/ransac/search.hpp"
 #include "matching_problem.hpp"
 
 namespace opencv_test {

@@ -114,7 +114,7 @@ TEST(Gmlpnp_Correspondences, aPartKnowsTheCovariancesOfItsPoints)
     cv::Mat_<double> known(100, 9, 0.0);
     for (int i = 0; i < 100; ++i)
         known(i, 0) = known(i, 4) = known(i, 8) = scene.objectPoints(i, 0) * scene.objectPoints(i, 0);
-    const Correspondences all(scene.objectPoints, scene.rays, known), part = all.part(30);
+    const Correspondences all(Observations{scene.objectPoints, scene.rays, known, {}}), part = all.part(30);
     for (int k = 0; k < part.size(); ++k) {
         const double x = part.pointAt(k).x() + part.centre.x() / part.scale;
         EXPECT_NEAR(x * x, part.knownObject(k)(2, 2), 1e-12);

@@ -72,10 +72,10 @@ TEST(Gmlpnp_RayPass, addsThePointTerms)
     cv::RNG rng = testRng();
     const Scene scene = exactScene(rng, surroundingPoints(rng, 37));
     const cv::Mat_<double> P = randomCovariances(rng, 37, 0.5), B = randomCovariances(rng, 37, 0.1);
-    for (const Correspondences& data :
-         {Correspondences(scene.objectPoints, scene.rays), Correspondences(scene.objectPoints, scene.rays, P),
-          Correspondences(scene.objectPoints, scene.rays, {}, B),
-          Correspondences(scene.objectPoints, scene.rays, P, B)})
+    for (const Correspondences& data : {Correspondences(scene.objectPoints, scene.rays),
+                                        Correspondences(Observations{scene.objectPoints, scene.rays, P, {}}),
+                                        Correspondences(Observations{scene.objectPoints, scene.rays, {}, B}),
+                                        Correspondences(Observations{scene.objectPoints, scene.rays, P, B})})
         for (const Tails& tails : {Tails{}, Tails{0.02}, Tails{0.5, 9, 3}, Tails{1, 1, 2}}) {
             const Pose pose{randomRotation(rng), gaussian3(rng)};
             const Noise noise{randomNoise(rng, 0.2), randomNoise(rng, 0.05), tails};
@@ -93,7 +93,8 @@ TEST(Gmlpnp_RayPass, knownCovariancesAdd)
     for (int i = 0; i < 20; ++i)
         for (int k = 0; k < 9; ++k)
             rowsP(i, k) = P(k / 3, k % 3), rowsB(i, k) = B(k / 3, k % 3);
-    const Correspondences without(scene.objectPoints, scene.rays), with(scene.objectPoints, scene.rays, rowsP, rowsB);
+    const Correspondences without(scene.objectPoints, scene.rays),
+        with(Observations{scene.objectPoints, scene.rays, rowsP, rowsB});
     const Pose pose{randomRotation(rng), gaussian3(rng)};
     const Noise some{randomNoise(rng, 0.2), randomNoise(rng, 0.05), {0.1}};
     const double unit = 1 / (with.scale * with.scale);
@@ -121,8 +122,8 @@ TEST(Gmlpnp_RayPass, angularScalesScaleGamma)
             covariances(i, k) = scale * scale * noise.Gamma(k / 3, k % 3) + known(i, k);
         }
     }
-    const Correspondences scaled(scene.objectPoints, rays, {}, known, true);
-    const Correspondences apart(scene.objectPoints, scene.rays, {}, covariances);
+    const Correspondences scaled(Observations{scene.objectPoints, rays, {}, known, true});
+    const Correspondences apart(Observations{scene.objectPoints, scene.rays, {}, covariances});
     EXPECT_NEAR(logScales, scaled.logAngularScales(), 1e-12);
     EXPECT_EQ(0, apart.logAngularScales());
     const RaySums a = rayPass(scaled, pose, noise);
