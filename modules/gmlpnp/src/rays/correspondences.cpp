@@ -48,6 +48,8 @@ Correspondences::Correspondences(const Observations& observations)
     normalise();
     if (!std::isnormal(scale))  // not finite() or degenerate()
         return;
+    if (scaled_)
+        columns_.rightCols<3>() = Rows(observations.rays[0], size(), 3);
     setKnown(observations.objectCovariances, observations.rayCovariances);
 }
 
@@ -85,19 +87,22 @@ void Correspondences::setKnown(const Mat_<double>& objectCovariances, const Mat_
         known_.rightCols<6>().array().colwise() /= columns_.rightCols<3>().rowwise().squaredNorm().array();
 }
 
-// The kernel judges unit rays. Rays with an angular scale get their length back.
+// The kernel makes the rays unit, to judge them. Those with an angular scale must get their length back, from where
+// they came: a copy of them would be memory for every point.
 void Correspondences::prepare(const Vector3d& origin)
 {
-    const Eigen::Matrix<double, Eigen::Dynamic, 3> rays =
-        scaled_ ? columns_.rightCols<3>() : Eigen::Matrix<double, Eigen::Dynamic, 3>();
     double *point[3], *ray[3];
     for (int axis = 0; axis < 3; ++axis) {
         point[axis] = columns_.col(axis).data();
         ray[axis] = columns_.col(3 + axis).data();
     }
     rayKernels(size()).prepare(point, ray, size(), origin.data(), sums_);
-    if (scaled_)
-        columns_.rightCols<3>() = rays;
+}
+
+void Correspondences::takeScaledRays(const Correspondences& from, const std::vector<int>& rows)
+{
+    for (int k = 0; scaled_ && k < size(); ++k)
+        columns_.row(k).tail<3>() = from.columns_.row(rows[k]).tail<3>();
 }
 
 double Correspondences::logAngularScales() const
@@ -132,6 +137,7 @@ Correspondences Correspondences::part(int count) const
     out.centre = centre;
     out.scale = scale;
     out.prepare(Vector3d::Zero());
+    out.takeScaledRays(*this, rows);
     return out;
 }
 
@@ -139,6 +145,7 @@ Correspondences Correspondences::subset(const std::vector<int>& rows) const
 {
     Correspondences out = gathered(rows);
     out.normalise();
+    out.takeScaledRays(*this, rows);
     if (hasKnown())
         out.known_.leftCols<6>() /= out.scale * out.scale;
     out.centre = centre + scale * out.centre;

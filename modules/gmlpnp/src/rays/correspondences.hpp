@@ -73,6 +73,7 @@ private:
     Correspondences gathered(const std::vector<int>& rows) const;
     void normalise();
     void prepare(const Vector3d& origin);
+    void takeScaledRays(const Correspondences& from, const std::vector<int>& rows);
     void setKnown(const Mat_<double>& objectCovariances, const Mat_<double>& rayCovariances);
     CV_EXPORTS Matrix3d knownAt(int i, int first) const;
 
