@@ -130,9 +130,10 @@ Problem problemFromPixels(InputArray objectPoints, InputArray imagePoints, const
         if (valid(i))
             problem.used.push_back(i);
     const bool allUsed = static_cast<int>(problem.used.size()) == problem.total;
-    problem.observations = chosenRows({points, rays, knownObject(params, problem.total),
-                                       weighed ? knownRays(params, jacobian, valid) : Mat_<double>(), true},
-                                      problem.used);
+    problem.observations = {chosenRows(points, problem.used), chosenRows(rays, problem.used),
+                            chosenRows(knownObject(params, problem.total), problem.used),
+                            chosenRows(weighed ? knownRays(params, jacobian, valid) : Mat_<double>(), problem.used),
+                            true};
     scaleRays(*camera, problem.observations.rays);
     if (wantRayByPixel)
         problem.rayByPixel = chosenRows(jacobian, problem.used);

@@ -28,9 +28,9 @@ inline Vec3d toVec(const Vector3d& v)
 template <int ROWS, int COLS>
 Mat toMat(const Eigen::Matrix<double, ROWS, COLS>& M)
 {
-    Matx<double, ROWS, COLS> out;
-    eigen2cv(M, out);
-    return Mat(out);
+    Mat out(ROWS, COLS, CV_64F);
+    Eigen::Map<Eigen::Matrix<double, ROWS, COLS, Eigen::RowMajor>>(out.ptr<double>()) = M;  // without eigen2cv()'s copy
+    return out;
 }
 
 /** Returns the 3x3 matrix of nine numbers by rows. */

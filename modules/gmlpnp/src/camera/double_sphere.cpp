@@ -32,11 +32,11 @@ namespace {
 
 constexpr double LARGEST_XI = 1 - 1e-9;  // the model needs |xi| < 1
 
-class DoubleSphere final : public Lens
+class DoubleSphere final : public LensOf<DoubleSphere>
 {
 public:
     DoubleSphere(InputArray K, double xi, double alpha)
-        : Lens("doubleSphere", intrinsicsFrom(K)),
+        : LensOf("doubleSphere", intrinsicsFrom(K)),
           xi_(xi),
           alpha_(alpha),
           w_(alpha <= 0.5 ? alpha / (1 - alpha) : (1 - alpha) / alpha)
@@ -75,7 +75,9 @@ public:
     }
 
 private:
-    double angularScale(const Vec3d& ray) const override { return divisor(ray) / (1 + xi_); }
+    friend LensOf<DoubleSphere>;
+
+    double angularScale(const Vec3d& ray) const { return divisor(ray) / (1 + xi_); }
 
     void writeParameters(FileStorage& fs) const override
     {

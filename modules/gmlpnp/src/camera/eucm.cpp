@@ -26,11 +26,11 @@ namespace {
 
 constexpr double SMALLEST_BETA = 1e-9, LARGEST_BETA = 1e9;  // far beyond any lens, which has a beta of about 1
 
-class Eucm final : public Lens
+class Eucm final : public LensOf<Eucm>
 {
 public:
     Eucm(InputArray K, double alpha, double beta)
-        : Lens("eucm", intrinsicsFrom(K)),
+        : LensOf("eucm", intrinsicsFrom(K)),
           alpha_(alpha),
           beta_(beta),
           w_(alpha <= 0.5 ? alpha / (1 - alpha) : (1 - alpha) / alpha)
@@ -65,7 +65,9 @@ public:
     }
 
 private:
-    double angularScale(const Vec3d& ray) const override { return divisor(ray); }
+    friend LensOf<Eucm>;
+
+    double angularScale(const Vec3d& ray) const { return divisor(ray); }
 
     void writeParameters(FileStorage& fs) const override
     {

@@ -27,10 +27,10 @@ namespace {
 
 constexpr double THETA_TOLERANCE = 1e-15;  // rounding, of the last step in theta, relative
 
-class Fisheye final : public Lens
+class Fisheye final : public LensOf<Fisheye>
 {
 public:
-    Fisheye(InputArray K, InputArray D) : Lens("fisheye", intrinsicsFrom(K)), D_(coefficientsFrom(D, {4}, 4))
+    Fisheye(InputArray K, InputArray D) : LensOf("fisheye", intrinsicsFrom(K)), D_(coefficientsFrom(D, {4}, 4))
     {
         const double slopeByThetaSquared[] = {1, 3 * D_[0], 5 * D_[1], 7 * D_[2], 9 * D_[3]};
         thetaEnd_ = std::min(CV_PI, std::sqrt(firstPositiveRoot(slopeByThetaSquared, 4)));
@@ -75,7 +75,9 @@ public:
     }
 
 private:
-    double angularScale(const Vec3d& m) const override
+    friend LensOf<Fisheye>;
+
+    double angularScale(const Vec3d& m) const
     {
         const double sine = std::sqrt(m[0] * m[0] + m[1] * m[1]);
         double slope;

@@ -61,12 +61,6 @@ void requireRange(double value, double low, double high, const char* name)
         CV_Error(Error::StsBadArg, format("'%s' is %g; it must be between %g and %g", name, value, low, high));
 }
 
-void Lens::angularScales(const Vec3d* rays, int count, double* scales) const
-{
-    for (int i = 0; i < count; ++i)
-        scales[i] = angularScale(rays[i]);
-}
-
 void Lens::write(FileStorage& fs) const
 {
     fs.write("model", model_);

@@ -28,11 +28,11 @@ namespace {
 constexpr size_t DISTORTION_SIZE = 12;  // Distortion takes so many; those behind the four given stay zero
 constexpr double LARGEST_XI = 1e6;      // far beyond any lens: here the camera is orthographic
 
-class Omnidir final : public Lens
+class Omnidir final : public LensOf<Omnidir>
 {
 public:
     Omnidir(InputArray K, InputArray D, double xi)
-        : Lens("omnidir", intrinsicsFrom(K)),
+        : LensOf("omnidir", intrinsicsFrom(K)),
           D_(coefficientsFrom(D, {4}, DISTORTION_SIZE)),
           distortion_(D_),
           xi_(xi),
@@ -70,7 +70,9 @@ public:
     }
 
 private:
-    double angularScale(const Vec3d& ray) const override { return (ray[2] + xi_) / (1 + xi_); }
+    friend LensOf<Omnidir>;
+
+    double angularScale(const Vec3d& ray) const { return (ray[2] + xi_) / (1 + xi_); }
 
     void writeParameters(FileStorage& fs) const override
     {

@@ -48,11 +48,11 @@ bool transform(const Matx33d& H, const Point2d& p, Point2d& q, Matx22d* J)
     return true;
 }
 
-class Pinhole final : public Lens
+class Pinhole final : public LensOf<Pinhole>
 {
 public:
     Pinhole(InputArray K, InputArray D)
-        : Lens("pinhole", intrinsicsFrom(K).withoutSkew()),
+        : LensOf("pinhole", intrinsicsFrom(K).withoutSkew()),
           D_(coefficientsFrom(D, {4, 5, 8, 12, MOST_COEFFICIENTS}, MOST_COEFFICIENTS)),
           distortion_(D_),
           isTilted_(D_[12] != 0 || D_[13] != 0),
@@ -103,7 +103,9 @@ public:
     }
 
 private:
-    double angularScale(const Vec3d& ray) const override { return ray[2]; }
+    friend LensOf<Pinhole>;
+
+    double angularScale(const Vec3d& ray) const { return ray[2]; }
 
     void writeParameters(FileStorage& fs) const override { fs.write("D", Mat(D_)); }
 

@@ -20,12 +20,6 @@ Mat_<double> chosenRows(const Mat_<double>& all, const std::vector<int>& rows)
     return chosen;
 }
 
-Observations chosenRows(const Observations& all, const std::vector<int>& rows)
-{
-    return {chosenRows(all.points, rows), chosenRows(all.rays, rows), chosenRows(all.objectCovariances, rows),
-            chosenRows(all.rayCovariances, rows), all.scaled};
-}
-
 }  // namespace detail
 }  // namespace gmlpnp
 }  // namespace cv

@@ -26,9 +26,6 @@ struct Observations
 /** The chosen rows of a matrix. All rows in their order are returned without a copy, and so is an empty matrix. */
 Mat_<double> chosenRows(const Mat_<double>& all, const std::vector<int>& rows);
 
-/** The chosen rows of every matrix. */
-Observations chosenRows(const Observations& all, const std::vector<int>& rows);
-
 }  // namespace detail
 }  // namespace gmlpnp
 }  // namespace cv
