@@ -31,7 +31,7 @@ bool available(const RayKernels& kernels)
 const std::vector<const RayKernels*>& availableKernels()
 {
     // The list is never destroyed, because threads may still solve while the program ends.
-    static const auto* const all = [] {
+    static const auto* const AVAILABLE = [] {
         auto* const out = new std::vector<const RayKernels*>;
         for (const RayKernels* kernels :
              {&RAY_KERNELS_AVX512, &RAY_KERNELS_AVX2, &RAY_KERNELS_VECTOR, &RAY_KERNELS_SCALAR})
@@ -39,7 +39,7 @@ const std::vector<const RayKernels*>& availableKernels()
                 out->push_back(kernels);
         return out;
     }();
-    return *all;
+    return *AVAILABLE;
 }
 
 const RayKernels& rayKernels(int points)
