@@ -19,8 +19,8 @@ if [[ "${1:-}" == --slow ]]; then
   shift
 fi
 
-bash scripts/install_deps.sh pybind11-dev python3-dev python3-numpy python3-opencv python3-matplotlib libgdal-dev \
-  libopengv-dev
+bash scripts/install_deps.sh pybind11-dev python3-dev python3-numpy python3-opencv python3-matplotlib mypy \
+  libgdal-dev libopengv-dev
 cmake -S . -B build/test -G Ninja -DCMAKE_BUILD_TYPE=Release -DGMLPNP_WERROR=ON \
   -DGMLPNP_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3 # Debian's, whichever comes first on the PATH
 cmake --build build/test

@@ -7,7 +7,7 @@ if [[ "${1:-}" == --help ]]; then
   cat <<'HELP'
 Usage: scripts/tidy.sh [regular expression of paths]
 Runs clang-tidy over what is in modules, python, samples and test (or over the files that match) and cppcheck over
-the module; any finding fails. Needs no build: only its commands, in build/tidy.
+the module; any finding fails. Needs no build: only its commands, in build/tidy, and the docstrings that it generates.
 HELP
   exit 0
 fi
@@ -15,6 +15,9 @@ fi
 bash scripts/install_deps.sh clang clang-tidy cppcheck python3
 # Clang's flags; precompiled headers would have to be built first.
 cmake --preset clang -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+if grep -q docstrings.cpp build/tidy/compile_commands.json; then
+  cmake --build build/tidy --target gmlpnp_docstrings
+fi
 
 # /usr/bin/python3 by name: run-clang-tidy is part of Debian's clang-tidy and needs no other interpreter. Files that the
 # build generates are left out.

@@ -10,6 +10,7 @@
 
 #include "arrays.hpp"
 #include "common/output_file.hpp"
+#include "docstrings.hpp"
 #include "module.hpp"
 
 namespace bindings {
@@ -20,62 +21,10 @@ using namespace py::literals;
 using cv::gmlpnp::CameraModel;
 using Camera = std::shared_ptr<CameraModel>;
 
-const char* const kDoc = R"(A lens: it turns pixels into unit rays and points into pixels.
-
-Made by its static methods. Camera frame: x right, y down, z forward; pixel (0, 0) is the centre of the top-left
-pixel. A camera never changes and may be used from several threads at once. Camera matrices are 3x3; where the lens
-has a skew it is K[0, 1]. Values out of their range raise gmlpnp.error, naming the argument.)";
-
-const char* const kPinhole = R"(pinhole(K[, D]) -> retval
-
-The camera of cv2.projectPoints, inverted to convergence.
-K: 3x3 camera matrix (no skew). D: None or 4, 5, 8, 12 or 14 distortion coefficients, in OpenCV's order.)";
-
-const char* const kFisheye = R"(fisheye(K[, D]) -> retval
-
-The Kannala-Brandt camera of cv2.fisheye, on the whole sphere. K: 3x3. D: None or k1, k2, k3, k4.)";
-
-const char* const kOmnidir = R"(omnidir(K, D, xi) -> retval
-
-The unified (MEI) camera of cv2.omnidir. K: 3x3. D: None or k1, k2, p1, p2. xi: mirror parameter, 0 or more.)";
-
-const char* const kEucm = R"(eucm(K, alpha, beta) -> retval
-
-The enhanced unified camera. K: 3x3. alpha: from 0 (pinhole) to 1. beta: positive.)";
-
-const char* const kDoubleSphere = R"(doubleSphere(K, xi, alpha) -> retval
-
-The double sphere camera. K: 3x3. xi: between -1 and 1. alpha: from 0 to 1.)";
-
-const char* const kEquirectangular = R"(equirectangular(size) -> retval
-
-An equirectangular panorama, the optical axis in the middle of the picture. size: (width, height), px.)";
-
-const char* const kLoad = R"(load(filename[, model]) -> retval
-
-Reads a camera from YAML, XML or JSON, from the top level or its entry `camera`: this module's own fields, OpenCV's
-calibration files, ROS camera_info, KITTI-360.
-model: the lens where the file does not tell, "pinhole" (default) or "fisheye".)";
-
 const char* const kSave = R"(save(filename) -> None
 
 Writes the camera to a YAML, XML or JSON file, by its extension, that load() reads back to an equal camera. The file is
 written whole or not at all: after an error what stood there before still does.)";
-
-const char* const kUnproject = R"(unproject(imagePoints) -> rays, valid, jacobian
-
-Unit rays of pixels.
-imagePoints: N pixels, (N, 2), (N, 1, 2) or (1, N, 2).
-rays: (N, 3) float64, unit rays in the camera frame; zero where a pixel has no ray.
-valid: (N, 1) uint8, 255 where the pixel has a ray, 0 where it has none; rays[valid.ravel() > 0] are the rays.
-jacobian: (N, 6) float64, the 3x2 derivative of the ray with respect to the pixel, row-major, rad/px.)";
-
-const char* const kProject = R"(project(points) -> imagePoints, valid
-
-Pixels of points in the camera frame; their length does not matter.
-points: N points, (N, 3), (N, 1, 3) or (1, N, 3).
-imagePoints: (N, 2) float64, px; zero where the lens does not see the point.
-valid: (N, 1) uint8, 255 where the lens sees the point, 0 where it does not.)";
 
 Camera pinhole(const py::object& K, const py::object& D)
 {
@@ -174,17 +123,17 @@ py::tuple project(const CameraModel& camera, const py::object& points)
 
 void addCameras(py::module_& m)
 {
-    py::class_<CameraModel, Camera>(m, "CameraModel", kDoc)
-        .def_static("pinhole", pinhole, "K"_a, "D"_a = py::none(), kPinhole)
-        .def_static("fisheye", fisheye, "K"_a, "D"_a = py::none(), kFisheye)
-        .def_static("omnidir", omnidir, "K"_a, "D"_a, "xi"_a, kOmnidir)
-        .def_static("eucm", eucm, "K"_a, "alpha"_a, "beta"_a, kEucm)
-        .def_static("doubleSphere", doubleSphere, "K"_a, "xi"_a, "alpha"_a, kDoubleSphere)
-        .def_static("equirectangular", equirectangular, "size"_a, kEquirectangular)
-        .def_static("load", load, "filename"_a, "model"_a = "", kLoad)
+    py::class_<CameraModel, Camera>(m, "CameraModel", doc("CameraModel"))
+        .def_static("pinhole", pinhole, "K"_a, "D"_a = py::none(), doc("CameraModel.pinhole"))
+        .def_static("fisheye", fisheye, "K"_a, "D"_a = py::none(), doc("CameraModel.fisheye"))
+        .def_static("omnidir", omnidir, "K"_a, "D"_a, "xi"_a, doc("CameraModel.omnidir"))
+        .def_static("eucm", eucm, "K"_a, "alpha"_a, "beta"_a, doc("CameraModel.eucm"))
+        .def_static("doubleSphere", doubleSphere, "K"_a, "xi"_a, "alpha"_a, doc("CameraModel.doubleSphere"))
+        .def_static("equirectangular", equirectangular, "size"_a, doc("CameraModel.equirectangular"))
+        .def_static("load", load, "filename"_a, "model"_a = "", doc("CameraModel.load"))
         .def("save", save, "filename"_a, kSave)
-        .def("unproject", unproject, "imagePoints"_a, kUnproject)
-        .def("project", project, "points"_a, kProject)
+        .def("unproject", unproject, "imagePoints"_a, doc("CameraModel.unproject"))
+        .def("project", project, "points"_a, doc("CameraModel.project"))
         .def("__repr__", textOf)
         .def(py::pickle(&toText, &fromText));
 }

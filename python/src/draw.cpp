@@ -7,6 +7,7 @@
 #include <opencv2/gmlpnp/draw.hpp>
 
 #include "arrays.hpp"
+#include "docstrings.hpp"
 #include "module.hpp"
 
 namespace bindings {
@@ -15,15 +16,6 @@ namespace {
 
 using namespace py::literals;
 using Camera = std::shared_ptr<cv::gmlpnp::CameraModel>;
-
-const char* const kDrawPoseUncertainty =
-    R"(drawPoseUncertainty(image, camera, result, length[, points[, thickness]]) -> image
-
-Draws the axes of the object frame, and where its origin and other points may lie in the picture: ellipses that hold
-them with a probability of 95 %. Axes as in cv2.drawFrameAxes, for any lens.
-image: picture, uint8, (height, width), (height, width, 3) or (height, width, 4), C-contiguous; drawn on and returned.
-camera: a CameraModel. result: a Result with its covariance. length: of the axes, the length unit of the object.
-points: further object points to draw ellipses around, (N, 3), or None. thickness: of the axes, px (default 3).)";
 
 cv::Mat pictureFrom(const py::object& object)
 {
@@ -53,7 +45,7 @@ py::object drawPoseUncertainty(py::object image, const Camera& camera, const cv:
 void addDraw(py::module_& m)
 {
     m.def("drawPoseUncertainty", drawPoseUncertainty, "image"_a, "camera"_a, "result"_a, "length"_a,
-          "points"_a = py::none(), "thickness"_a = 3, kDrawPoseUncertainty);
+          "points"_a = py::none(), "thickness"_a = 3, doc("drawPoseUncertainty"));
 }
 
 }  // namespace bindings

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "docstrings.hpp"
 
 namespace bindings {
 
@@ -19,14 +20,15 @@ template <class Struct>
 class Fields
 {
 public:
-    Fields(const py::handle& scope, const char* name, const char* doc) : class_(scope, name, doc), name_(name) {}
+    Fields(const py::handle& scope, const char* name) : class_(scope, name, doc(name)), name_(name) {}
 
     template <class T>
-    Fields& add(const char* name, T Struct::*member, const char* doc)
+    Fields& add(const char* name, T Struct::*member)
     {
         class_.def_property(
             name, [member](const Struct& self) { return toPython(self.*member); },
-            [member, name](Struct& self, const py::object& value) { fromPython(value, name, self.*member); }, doc);
+            [member, name](Struct& self, const py::object& value) { fromPython(value, name, self.*member); },
+            doc(name_ + "." + name));
         names_.emplace_back(name);
         return *this;
     }

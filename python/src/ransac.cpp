@@ -7,6 +7,7 @@
 #include <opencv2/gmlpnp.hpp>
 
 #include "arrays.hpp"
+#include "docstrings.hpp"
 #include "module.hpp"
 
 namespace bindings {
@@ -18,23 +19,6 @@ using cv::gmlpnp::Params;
 using cv::gmlpnp::RansacParams;
 using cv::gmlpnp::Result;
 using Camera = std::shared_ptr<cv::gmlpnp::CameraModel>;
-
-const char* const kSolveRansac =
-    R"(solveRansac(objectPoints, imagePoints, camera[, ransac[, params]]) -> retval, result, inliers
-solveRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs[, ransac[, params]]) -> retval, result, inliers
-
-solve() where correspondences may be wrong, up to nine of ten. Arguments as in solve().
-ransac: a RansacParams, or None. params: a Params, or None; a guess is tried first and need not be good.
-retval: True with a finite pose; False and result.status STATUS_NO_CONSENSUS where no pose has four inliers, or no more
-than wrong correspondences have by chance.
-result: a Result, from the inliers.
-inliers: (n, 1) int32, rows of the points within the threshold at the pose that is returned; None where retval is
-False.)";
-
-const char* const kSolveRaysRansac =
-    R"(solveRaysRansac(objectPoints, rays[, ransac[, params]]) -> retval, result, inliers
-
-solveRays() where correspondences may be wrong, as solveRansac(); the threshold is an angle, rad.)";
 
 struct Options
 {
@@ -96,11 +80,11 @@ void addRansac(py::module_& m)
 {
     const py::object none = py::none();
     m.def("solveRansac", solveRansac, "objectPoints"_a, "imagePoints"_a, "camera"_a, "ransac"_a = none,
-          "params"_a = none, kSolveRansac);
+          "params"_a = none, doc("solveRansac"));
     m.def("solveRansac", solveRansacByMatrix, "objectPoints"_a, "imagePoints"_a, "cameraMatrix"_a, "distCoeffs"_a,
           "ransac"_a = none, "params"_a = none);
     m.def("solveRaysRansac", solveRaysRansac, "objectPoints"_a, "rays"_a, "ransac"_a = none, "params"_a = none,
-          kSolveRaysRansac);
+          doc("solveRaysRansac"));
 }
 
 }  // namespace bindings

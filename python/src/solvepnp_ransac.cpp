@@ -6,6 +6,7 @@
 
 #include <opencv2/gmlpnp.hpp>
 
+#include "docstrings.hpp"
 #include "module.hpp"
 
 // solvePnPRansac with parameters and returns of cv2, name by name.
@@ -15,29 +16,6 @@ namespace bindings {
 namespace {
 
 using namespace py::literals;
-
-const char* const kSolvePnPRansac =
-    R"(solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs[, rvec[, tvec[, useExtrinsicGuess[, iterationsCount[, reprojectionError[, confidence[, inliers[, flags]]]]]]]]) -> retval, rvec, tvec, inliers
-solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs[, rvec[, tvec[, inliers[, params]]]]) -> retval, cameraMatrix, rvec, tvec, inliers
-
-Drop-in for cv2.solvePnPRansac: the same parameters, the same returns. With the flags of this module this is
-solveRansac(); all flags of OpenCV, also USAC_..., go to OpenCV. Arguments as in solvePnP().
-useExtrinsicGuess: try rvec, tvec first; they need not be good.
-iterationsCount: samples at most (default 10000; they are of three points and stop at the asked confidence).
-reprojectionError: largest error of an inlier, px (default 8). confidence: at which the search ends (default 0.99).
-inliers: an output only; what is passed is not looked at.
-flags: SOLVEPNP_... or USAC_...; default SOLVEPNP_GMLPNP_MARGINAL.
-params: a cv2.UsacParams, or anything with its attributes threshold, confidence, maxIterations, randomGeneratorState
-and sampler (PROSAC or uniform); the rest of it is not used.
-retval: True with a finite pose. Where it is False, rvec and tvec are what was passed, None by default, and inliers is
-None.
-inliers: (n, 1) int32, rows of the points within the threshold at the pose that is returned.)";
-
-const char* const kFisheyeSolvePnPRansac =
-    R"(solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs[, rvec[, tvec[, useExtrinsicGuess[, iterationsCount[, reprojectionError[, confidence[, inliers[, flags[, criteria]]]]]]]]]) -> retval, rvec, tvec, inliers
-
-Drop-in for cv2.fisheye.solvePnPRansac (OpenCV 4.12 and newer): as gmlpnp.solvePnPRansac, for the Kannala-Brandt lens.
-distCoeffs: None or k1, k2, k3, k4. criteria: not used, the lens is inverted to convergence.)";
 
 //! For `solve(rvec, tvec, inliers)`, one of the functions here.
 template <class Solve>
@@ -111,14 +89,14 @@ void addSolvePnPRansac(py::module_& m)
     m.def("solvePnPRansac", solvePnPRansac, "objectPoints"_a, "imagePoints"_a, "cameraMatrix"_a, "distCoeffs"_a,
           "rvec"_a = none, "tvec"_a = none, "useExtrinsicGuess"_a = false, "iterationsCount"_a = 10000,
           "reprojectionError"_a = 8.f, "confidence"_a = 0.99, "inliers"_a = none, "flags"_a = marginal,
-          kSolvePnPRansac);
+          doc("solvePnPRansac"));
     m.def("solvePnPRansac", solvePnPRansacByParams, "objectPoints"_a, "imagePoints"_a, "cameraMatrix"_a, "distCoeffs"_a,
           "rvec"_a = none, "tvec"_a = none, "inliers"_a = none, "params"_a = none);
     auto fisheye = m.attr("_fisheye").cast<py::module_>();
     fisheye.def("solvePnPRansac", fisheyeSolvePnPRansac, "objectPoints"_a, "imagePoints"_a, "cameraMatrix"_a,
                 "distCoeffs"_a, "rvec"_a = none, "tvec"_a = none, "useExtrinsicGuess"_a = false,
                 "iterationsCount"_a = 10000, "reprojectionError"_a = 8.f, "confidence"_a = 0.99, "inliers"_a = none,
-                "flags"_a = marginal, "criteria"_a = none, kFisheyeSolvePnPRansac);
+                "flags"_a = marginal, "criteria"_a = none, doc("fisheye.solvePnPRansac"));
 }
 
 }  // namespace bindings

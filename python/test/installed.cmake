@@ -14,6 +14,9 @@ retval, result = gmlpnp.solveRays([[0, 0, 3], [1, 0, 3], [0, 1, 4], [1, 1, 5], [
                                   [[0, 0, 3], [1, 0, 3], [0, 1, 4], [1, 1, 5], [-1, 0, 4], [0, -1, 3]])
 assert retval and abs(result.tvec).max() < 1e-6, result
 import os
+package = os.path.dirname(gmlpnp.__file__)
+files = {'__init__.pyi', 'fisheye.pyi', 'py.typed'}
+assert files <= set(os.listdir(package)), os.listdir(package)
 maps = '/proc/self/maps'  # Linux only
 libraries = [line.split()[-1] for line in open(maps) if 'opencv_gmlpnp' in line] if os.path.exists(maps) else []
 assert all(library.startswith('${WORK_DIR}/prefix') for library in libraries), libraries
