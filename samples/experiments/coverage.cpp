@@ -16,7 +16,7 @@ using cv::gmlpnp::detail::difference;
 using cv::gmlpnp::detail::Matrix6d;
 using cv::gmlpnp::detail::Vector6d;
 
-constexpr double CHI2_6_95 = 12.5916;
+using synthetic::CHI2_6_95;
 
 struct Noises
 {

@@ -9,11 +9,6 @@ namespace experiments {
 using cv::gmlpnp::Params;
 using cv::gmlpnp::Result;
 
-Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec)
-{
-    return {cv::gmlpnp::detail::expSO3(Vector3d(rvec.val)), Vector3d(tvec.val)};
-}
-
 Pose poseOf(const Result& result)
 {
     return poseOf(result.rvec, result.tvec);

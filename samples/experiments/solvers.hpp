@@ -30,8 +30,8 @@ cv::gmlpnp::Params trueNoise(const Problem& problem);
 /** cv::gmlpnp::solve() with everything it gives; none where there is no pose. */
 std::optional<cv::gmlpnp::Result> solved(const Problem& problem, const cv::gmlpnp::Params& params);
 
+using synthetic::poseOf;
 Pose poseOf(const cv::gmlpnp::Result& result);
-Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec);
 Matrix3d matrixOf(const cv::Mat& m);
 
 }  // namespace experiments

@@ -138,7 +138,8 @@ TEST(Solvers, trueNoiseIsGivenInTheRightFrame)
             ASSERT_TRUE(result);
             const auto xi = cv::gmlpnp::detail::difference(problem.scene.truth, poseOf(*result));
             const cv::Mat& C = result->poseCovariance;
-            hits += xi.dot(Eigen::Map<const baselines::Matrix6d>(C.ptr<double>()).ldlt().solve(xi)) <= 12.5916;
+            hits +=
+                xi.dot(Eigen::Map<const baselines::Matrix6d>(C.ptr<double>()).ldlt().solve(xi)) <= synthetic::CHI2_6_95;
         }
         EXPECT_NEAR(hits, 0.95 * TRIALS, 4 * std::sqrt(0.05 * 0.95 * TRIALS));
     }

@@ -18,6 +18,7 @@ using namespace reliability;
 using cv::gmlpnp::CameraModel;
 using cv::gmlpnp::Params;
 using cv::gmlpnp::Result;
+using synthetic::poseOf;
 
 struct Case
 {
@@ -26,11 +27,6 @@ struct Case
     Vector3d centre = Vector3d::Zero();  // of the object
     double bound = 1e-9;
 };
-
-Pose poseOf(const cv::Vec3d& rvec, const cv::Vec3d& tvec)
-{
-    return {cv::gmlpnp::detail::expSO3({rvec[0], rvec[1], rvec[2]}), {tvec[0], tvec[1], tvec[2]}};
-}
 
 // Hostile problems of up to 200 points, by rays and by pixels, both methods.
 void addSweep(std::vector<Case>& cases)

@@ -50,7 +50,7 @@ Pose annealToKnown(const Correspondences& data, Pose pose, const Noise& known)
 
 // L has optima that are no poses anybody wants: noise as large as the object explains any rays once the camera is
 // inside it, or a flat object is seen edge on. Such an end is far from the isotropic pose and fits clearly worse. Both
-// bounds are fitted: gmlpnp_reliability, held by Gmlpnp_Estimate.doesNotRunAwayFromTheIsotropicPose.
+// bounds are fitted: gmlpnp_reliability, held by Gmlpnp_RunawayStatistics.doesNotRunAwayFromTheIsotropicPose.
 bool noiseSwallowedTheObject(const Correspondences& data, const Pose& start, const Estimate& end)
 {
     constexpr double FAR = 0.15;                         // rad

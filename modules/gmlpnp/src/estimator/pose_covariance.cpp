@@ -36,7 +36,7 @@ double ellipsoidFactor(double d)
 // Residual degrees of freedom. One variance is judged by 2n - 6. A covariance leaves about n - 6 to a direction for
 // object noise across a narrow view, fewer where a third direction is seen, and more for bearings, whose noise has the
 // two directions of a picture. Fitted so that the ellipsoid covers as promised: scripts/figures.sh coverage; held by
-// Gmlpnp_Noise.poseCovarianceCovers.
+// Gmlpnp_CoverageStatistics.poseCovarianceCovers.
 double freedomOf(NoiseKind kind, double n, double directions)
 {
     constexpr double THIRD_DIRECTION = 11, BEARINGS = 3.5, NARROW = 6;

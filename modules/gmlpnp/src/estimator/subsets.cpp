@@ -12,7 +12,7 @@ namespace gmlpnp {
 namespace detail {
 
 // Fitted: with these the errors of the pose are those of all points for everything, within 1 % (doc/lab/performance.md,
-// held by Gmlpnp_Solve.thePoseOfManyPointsIsAsGoodAsFromAllOfThem).
+// held by Gmlpnp_PartsStatistics.thePoseOfManyPointsIsAsGoodAsFromAllOfThem).
 namespace {
 
 constexpr int FIRST = 300;  // points of the first subset

@@ -42,7 +42,7 @@ struct Tails
 {
     double share = 0;
     //! Scale matrix of the Student-t over the covariance of the Gaussian. fitted: scripts/figures.sh tails
-    //! (doc/lab/noise.md); held by Gmlpnp_Noise.tailsCostNothingOnGaussianDataAndSaveTheRest
+    //! (doc/lab/noise.md); held by Gmlpnp_RobustStatistics.tailsCostNothingOnGaussianDataAndSaveTheRest
     double spread2 = 6.25;
     //! Degrees of freedom of the Student-t: the fewer they are, the less a wrong match can weigh.
     int dof = 2;

@@ -568,7 +568,7 @@ void addAll(const PointArrays& data, const PassInput& in, PassSums& out)
 }
 
 // A quarter of the points tells enough where the products only steer the scoring: the first SAMPLE of each STRETCH.
-// fitted: scripts/bench.sh (doc/lab/performance.md, "Steps"); held by Gmlpnp_Accuracy.twoHundredPoints
+// fitted: scripts/bench.sh (doc/lab/performance.md, "Steps"); held by Gmlpnp_AccuracyStatistics
 constexpr int STRETCH = 16, SAMPLE = 4;
 
 template <class T, int NOISE>

@@ -15,7 +15,7 @@ namespace detail {
 namespace {
 
 // A Gaussian noise fitted to few points follows the wildest of them so well that their tails hardly show. Below this
-// many points the test asks for less. Fitted: scripts/figures.sh tails; held by Gmlpnp_Noise.tails*.
+// many points the test asks for less. Fitted: scripts/figures.sh tails; held by Gmlpnp_RobustStatistics.
 constexpr int FEW = 50;
 // Fewer points lose more by tails that are not there than they gain by real ones. Fitted likewise.
 constexpr int MIN_POINTS_TAILS = 8;
@@ -111,7 +111,7 @@ using BetweenArray = std::array<Between, BETWEEN_COUNT>;
 BetweenArray sharesBetween()
 {
     // The prior of a share over that of half of it; the least is as likely as none. Fitted: scripts/figures.sh tails;
-    // held by Gmlpnp_Noise.tails*.
+    // held by Gmlpnp_RobustStatistics.
     constexpr double PRIOR = 2.5;
     BetweenArray all{};
     for (int i = 0; i < BETWEEN_COUNT; ++i) {
@@ -195,7 +195,7 @@ void TailSearch::update(Noise& noise, const double* c, const RaySums& sums)
 bool TailSearch::areWild(const RaySums& sums) const
 {
     // The mean of c^2 / 4 at the right scale is 2 for isotropic noise, and 3 for noise along one direction. Fitted:
-    // scripts/figures.sh tails; held by Gmlpnp_Noise.tails*.
+    // scripts/figures.sh tails; held by Gmlpnp_RobustStatistics.
     constexpr double WILD = 5;
     const double scale = sums.c / (2 * n_);
     return !scaleKnown_ && sums.c >= n_ && sums.c2 / 4 > WILD * n_ * scale * scale;

@@ -33,7 +33,7 @@ double samplesOf(int n)
 lead to the pose. */
 double neededIterations(int inliers, int n, double confidence)
 {
-    // Fitted: scripts/bench.sh --ransac; held by Gmlpnp_Ransac.confidenceIsKept.
+    // Fitted: scripts/bench.sh --ransac; held by Gmlpnp_RansacStatistics.confidenceIsKept.
     constexpr double LEADS_TO_POSE = 0.8;
     const double good = LEADS_TO_POSE * samplesOf(inliers) / samplesOf(n);
     return std::log(1 - confidence) / std::log1p(-good);

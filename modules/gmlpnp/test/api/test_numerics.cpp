@@ -9,6 +9,7 @@
 
 #include "../../src/rays/ray_pass.hpp"
 #include "../scenes.hpp"
+#include "../statistics.hpp"
 
 // Many points, floating-point exceptions, instruction sets and threads.
 
@@ -70,29 +71,37 @@ TEST(Gmlpnp_Numerics, finiteDataRaiseNoFloatingPointExceptions)
         }
 }
 
-TEST(Gmlpnp_Numerics, aMillionPoints)
+std::string nameOfMethod(const testing::TestParamInfo<int>& info)
+{
+    return methodName(info.param);
+}
+
+class Gmlpnp_NumericsStatistics : public testing::TestWithParam<int>
+{};
+
+TEST_P(Gmlpnp_NumericsStatistics, aMillionPoints)
 {
     constexpr int N = 1000000;
+    const int method = GetParam();
     cv::RNG rng = testRng();
     const Scene scene = paperScene(rng, N, 0.1, 1);
-    for (int method : METHODS) {
-        Result result;
-        ASSERT_TRUE(cv::gmlpnp::solveRays(scene.objectPoints, scene.rays, result, paramsOf(method)));
-        EXPECT_TRUE(std::isfinite(result.cost));
-        EXPECT_EQ(N, result.usedPoints);
-        cv::Vec3d rvec, tvec;  // by parts
-        ASSERT_TRUE(cv::gmlpnp::solvePnP(scene.objectPoints, scene.imagePoints, paperCamera(), cv::noArray(), rvec,
-                                         tvec, false, method));
-        if (method == cv::gmlpnp::SOLVEPNP_GMLPNP) {  // its bias does not shrink with n
-            EXPECT_TRUE(poseNear(result, scene.truth, 2e-3, 2e-2));
-            EXPECT_TRUE(poseNear(poseOf(rvec, tvec), scene.truth, 2e-3, 2e-2));
-            continue;
-        }
-        EXPECT_LT(cv::trace(result.poseCovariance)[0], 1e-6);
-        EXPECT_LT(mahalanobis2(poseOf(result), scene.truth, result.poseCovariance), 40);
-        EXPECT_LT(mahalanobis2(poseOf(rvec, tvec), poseOf(result), result.poseCovariance), 0.25 * 6);
+    const Result result = solved(scene, paramsOf(method));
+    EXPECT_TRUE(std::isfinite(result.cost));
+    EXPECT_EQ(N, result.usedPoints);
+    cv::Vec3d rvec, tvec;  // by parts
+    ASSERT_TRUE(cv::gmlpnp::solvePnP(scene.objectPoints, scene.imagePoints, paperCamera(), cv::noArray(), rvec, tvec,
+                                     false, method));
+    if (method == cv::gmlpnp::SOLVEPNP_GMLPNP) {  // its bias does not shrink with n
+        EXPECT_TRUE(poseNear(result, scene.truth, 2e-3, 2e-2));
+        EXPECT_TRUE(poseNear(poseOf(rvec, tvec), scene.truth, 2e-3, 2e-2));
+        return;
     }
+    EXPECT_LT(cv::trace(result.poseCovariance)[0], 1e-6);
+    EXPECT_LT(mahalanobis2(poseOf(rvec, tvec), poseOf(result), result.poseCovariance), 0.25 * 6);
+    EXPECT_TRUE(asChiSquared6(mahalanobis2(scene.truth, poseOf(result), result.poseCovariance)));
 }
+
+INSTANTIATE_TEST_SUITE_P(/**/, Gmlpnp_NumericsStatistics, testing::ValuesIn(METHODS), nameOfMethod);
 
 // Ten Gauss-Newton steps with the kernels of each instruction set end at the same pose to the bound of the order.
 TEST(Gmlpnp_Numerics, instructionSetsAgree)

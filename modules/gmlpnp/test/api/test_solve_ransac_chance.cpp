@@ -4,6 +4,7 @@
 
 #include "../test_precomp.hpp"
 
+#include "../statistics.hpp"
 #include "observed.hpp"
 
 // Where nothing fits, a pose is found as rarely as is allowed for.
@@ -13,69 +14,66 @@ namespace {
 
 using namespace ransac;
 
-TEST(Gmlpnp_SolveRansac, chanceIsNoConsensus)
-{
-    // Nothing fits; one of twenty data sets may look as if something did.
-    cv::RNG rng = testRng();
-    for (const int n : {6, 20, 100, 400}) {
-        int found = 0;
-        for (int trial = 0; trial < 20; ++trial) {
-            const Observed data = observed(rng, *paperLens(), n, 1, 0);
-            Result result;
-            Mat inliers;
-            const bool solved = solveRansac(data.scene.objectPoints, data.pixels, paperLens(), result, inliers);
-            found += solved;
-            EXPECT_TRUE(solved || result.status == gmlpnp::STATUS_NO_CONSENSUS);
-        }
-        EXPECT_LE(found, 3) << n << " points";  // binomial, .05: 2 % of the seeds have more
-    }
-}
+using Spoil = std::function<void(cv::RNG&, Mat_<double>&, Mat_<double>&)>;
 
-// Of a hundred data sets in which nothing fits: how many are said to have a pose. `spoil` adds to them or changes them.
-int claimed(cv::RNG& rng, int n, const std::function<void(Mat_<double>&, Mat_<double>&)>& spoil)
+/** Data in which nothing fits: all of `n` matches are wrong, and what is added to them or changed in them. */
+struct Nothing
 {
+    std::string kind;
+    int n;
+    Spoil spoil;
+
+    std::string name() const { return kind + cv::format("%dMatches", n); }
+    friend void PrintTo(const Nothing& cell, std::ostream* out) { *out << cell.name(); }
+};
+
+class Gmlpnp_RansacChanceStatistics : public testing::TestWithParam<Nothing>
+{};
+
+// One of twenty data sets may look as if something did.
+TEST_P(Gmlpnp_RansacChanceStatistics, whereNothingFitsThereIsNoConsensus)
+{
+    constexpr int TRIALS = 100;
+    cv::RNG rng = testRng();
     int found = 0;
-    for (int trial = 0; trial < 100; ++trial) {
-        const Observed data = observed(rng, *paperLens(), n, 1, 0);
+    for (int trial = 0; trial < TRIALS; ++trial) {
+        const Observed data = observed(rng, *paperLens(), GetParam().n, 1, 0);
         Mat_<double> points = data.scene.objectPoints, pixels = data.pixels;
-        spoil(points, pixels);
+        GetParam().spoil(rng, points, pixels);
         Result result;
-        found += solveRansac(points, pixels, paperLens(), result, noArray());
+        const bool solved = solveRansac(points, pixels, paperLens(), result, noArray());
+        found += solved;
+        EXPECT_TRUE(solved || result.status == gmlpnp::STATUS_NO_CONSENSUS) << "trial " << trial;
     }
-    return found;
+    EXPECT_TRUE(shareAtMost(found, TRIALS, 0.05));
 }
 
-constexpr int BY_CHANCE = 5;  // of a hundred: the expected number that is allowed for
-
-TEST(Gmlpnp_SolveRansac, repeatsOfWrongMatchesAreNoConsensus)
+// The first `count` matches come again, within `px`. At 5 px most are matches of their own, of which one at most can be
+// right.
+Nothing repeated(const char* kind, int n, int count, double px)
 {
-    cv::RNG rng = testRng();
-    for (const double px : {0.7, 5.})  // at 5 px most are matches of their own, of which one at most can be right
-        for (const int n : {20, 50}) {
-            const auto someAgain = [&](Mat_<double>& points, Mat_<double>& pixels) {
-                for (int i = 0; i < n * 3 / 20; ++i)
+    return {kind, n, [=](cv::RNG& rng, Mat_<double>& points, Mat_<double>& pixels) {
+                for (int i = 0; i < count; ++i)
                     repeat(rng, points, pixels, i, px);
-            };
-            EXPECT_LE(claimed(rng, n, someAgain), BY_CHANCE) << n << " matches, repeats within " << px << " px";
-        }
-    const auto allTwice = [&](Mat_<double>& points, Mat_<double>& pixels) {
-        for (int i = 0; i < 30; ++i)
-            repeat(rng, points, pixels, i, 0);
-    };
-    EXPECT_LE(claimed(rng, 30, allTwice), BY_CHANCE);
+            }};
 }
 
-TEST(Gmlpnp_SolveRansac, manyPointsMatchedToOnePixelAreNoConsensus)
+// Many points are matched to each of a few pixels.
+Nothing shared(const char* kind, int places)
 {
-    cv::RNG rng = testRng();
-    for (const int places : {20, 50}) {
-        const auto sharePixels = [&](Mat_<double>&, Mat_<double>& pixels) {
-            for (int i = places; i < pixels.rows; ++i)
-                pixels.row(rng.uniform(0, places)).copyTo(pixels.row(i));
-        };
-        EXPECT_LE(claimed(rng, 200, sharePixels), BY_CHANCE) << places << " pixels";
-    }
+    return {kind, 200, [=](cv::RNG& rng, Mat_<double>&, Mat_<double>& pixels) {
+                for (int i = places; i < pixels.rows; ++i)
+                    pixels.row(rng.uniform(0, places)).copyTo(pixels.row(i));
+            }};
 }
+
+INSTANTIATE_TEST_SUITE_P(/**/, Gmlpnp_RansacChanceStatistics,
+                         testing::Values(repeated("", 6, 0, 0), repeated("", 20, 0, 0), repeated("", 100, 0, 0),
+                                         repeated("", 400, 0, 0), repeated("nearRepeats", 20, 3, 0.7),
+                                         repeated("nearRepeats", 50, 7, 0.7), repeated("farRepeats", 20, 3, 5),
+                                         repeated("farRepeats", 50, 7, 5), repeated("allTwice", 30, 30, 0),
+                                         shared("at20Pixels", 20), shared("at50Pixels", 50)),
+                         nameOf<Nothing>);
 
 }  // namespace
 }  // namespace opencv_test

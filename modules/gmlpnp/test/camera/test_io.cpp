@@ -63,7 +63,7 @@ std::string calibration(const std::string& K, const std::string& D, const std::s
     return kHeader + K + kK + D + kD + more;
 }
 
-TEST(Gmlpnp_CameraIo, OpenCVCalibrations)
+TEST(Gmlpnp_CameraIo, openCVCalibrations)
 {
     const Ptr<CameraModel> pinhole = CameraModel::pinhole(kMatrix, kCoefficients);
     expectSame(readText(calibration("camera_matrix", "distortion_coefficients")), pinhole);

@@ -5,6 +5,7 @@
 #include "../test_precomp.hpp"
 
 #include "../scenes.hpp"
+#include "../statistics.hpp"
 
 // Whether the pose covariance holds what it promises.
 
@@ -14,8 +15,6 @@ namespace {
 using namespace cv::gmlpnp::detail;
 using cv::gmlpnp::Params;
 using cv::gmlpnp::Result;
-
-constexpr double CHI2_6_95 = 12.592;
 
 enum class Made
 {
@@ -48,52 +47,67 @@ Scene sceneOf(cv::RNG& rng, Made made, int n, double halfField, int noisy)
     return scene;
 }
 
-double covered(cv::RNG& rng, Made made, int n, double halfField, double noisy, int trials)
+struct Cell
 {
-    int inside = 0;
-    for (int k = 0; k < trials; ++k) {
-        const Scene scene = sceneOf(rng, made, n, halfField, cvRound(noisy * n));
-        const Result result = solvedPixels(scene, Params());
-        inside += mahalanobis2(scene.truth, poseOf(result), result.poseCovariance) < CHI2_6_95;
-    }
-    return inside / double(trials);
-}
+    Made made;
+    int halfField, n, wild;  // degrees, points, percent of them with five times the noise
 
-// The 95 % ellipsoid of the pose holds the truth in 93 to 97 %, give or take three binomial standard errors.
-void expectCovers(int trials, const std::vector<int>& counts, double noisy)
+    std::string name() const
+    {
+        const char* const noises[] = {"object", "pixels", "both"};
+        const std::string tails = wild ? cv::format("%dPercentWild", wild) : std::string();
+        return cv::format("%s%dDegrees%dPoints", noises[static_cast<int>(made)], halfField, n) + tails;
+    }
+    friend void PrintTo(const Cell& cell, std::ostream* out) { *out << cell.name(); }
+};
+
+// The 95 % ellipsoid of the pose holds the truth in 93 to 97 %.
+void expectCovers(const Cell& cell, int trials)
 {
     cv::RNG rng = testRng();
-    const double error = 3 * std::sqrt(0.95 * 0.05 / trials);
-    for (Made made : {Made::OBJECT, Made::PIXELS, Made::BOTH})
-        for (double degrees : {15., 60.})
-            for (int n : counts) {
-                const double share = covered(rng, made, n, degrees * CV_PI / 180, noisy, trials);
-                std::cout << "noise " << static_cast<int>(made) << ", half field " << degrees << ", n " << n << ": "
-                          << share << std::endl;
-                EXPECT_GE(share, 0.93 - error);
-                EXPECT_LE(share, 0.97 + error);
-            }
+    int inside = 0;
+    for (int k = 0; k < trials; ++k) {
+        const Scene scene =
+            sceneOf(rng, cell.made, cell.n, cell.halfField * CV_PI / 180, cvRound(0.01 * cell.wild * cell.n));
+        const Result result = solvedPixels(scene);
+        inside += mahalanobis2(scene.truth, poseOf(result), result.poseCovariance) < CHI2_6_95;
+    }
+    EXPECT_TRUE(shareWithin(inside, trials, 0.93, 0.97));
 }
 
-TEST(Gmlpnp_Noise, poseCovarianceCovers)
+std::vector<Cell> cells(const std::vector<int>& counts, int wild)
 {
-    expectCovers(300, {15, 50}, 0);
+    std::vector<Cell> all;
+    for (const Made made : {Made::OBJECT, Made::PIXELS, Made::BOTH})
+        for (const int halfField : {15, 60})
+            for (const int n : counts)
+                all.push_back({made, halfField, n, wild});
+    return all;
 }
 
-TEST(SlowGmlpnp_Noise, poseCovarianceCovers)
+class Gmlpnp_CoverageStatistics : public testing::TestWithParam<Cell>
+{};
+
+TEST_P(Gmlpnp_CoverageStatistics, poseCovarianceCovers)
 {
-    expectCovers(2000, {15, 20, 50, 100, 200}, 0);
+    expectCovers(GetParam(), 300);
 }
 
-TEST(SlowGmlpnp_Noise, poseCovarianceCoversWithTails)
+class SlowGmlpnp_CoverageStatistics : public testing::TestWithParam<Cell>
+{};
+
+TEST_P(SlowGmlpnp_CoverageStatistics, poseCovarianceCovers)
 {
-    expectCovers(2000, {15, 20, 50, 200}, 0.1);
+    expectCovers(GetParam(), 2000);
 }
 
-TEST(SlowGmlpnp_Noise, poseCovarianceCoversWithHeavyTails)
-{
-    expectCovers(2000, {15, 20, 50, 200}, 0.2);
-}
+INSTANTIATE_TEST_SUITE_P(/**/, Gmlpnp_CoverageStatistics, testing::ValuesIn(cells({15, 50}, 0)), nameOf<Cell>);
+INSTANTIATE_TEST_SUITE_P(Gaussian, SlowGmlpnp_CoverageStatistics, testing::ValuesIn(cells({15, 20, 50, 100, 200}, 0)),
+                         nameOf<Cell>);
+INSTANTIATE_TEST_SUITE_P(Tails, SlowGmlpnp_CoverageStatistics, testing::ValuesIn(cells({15, 20, 50, 200}, 10)),
+                         nameOf<Cell>);
+INSTANTIATE_TEST_SUITE_P(HeavyTails, SlowGmlpnp_CoverageStatistics, testing::ValuesIn(cells({15, 20, 50, 200}, 20)),
+                         nameOf<Cell>);
 
 }  // namespace
 }  // namespace opencv_test

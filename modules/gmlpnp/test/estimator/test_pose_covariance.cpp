@@ -6,6 +6,7 @@
 
 #include "../../src/estimator/pose_covariance.hpp"
 #include "../scenes.hpp"
+#include "../statistics.hpp"
 
 namespace opencv_test {
 namespace {
@@ -55,13 +56,11 @@ TEST(Gmlpnp_PoseCovariance, determinedRefusesSingularInformation)
 }
 
 // With the noise known the covariance is H^-1 and must hold: NEES is chi-squared with 6 degrees of freedom.
-TEST(Gmlpnp_PoseCovariance, knownNoiseIsCovered)
+TEST(Gmlpnp_PoseCovarianceStatistics, knownNoiseIsCovered)
 {
     cv::RNG rng = testRng();
-    const int trials = 500;
-    double sum = 0;
-    int inside = 0;
-    for (int k = 0; k < trials; ++k) {
+    Consistency consistency;
+    for (int k = 0; k < 500; ++k) {
         const Scene scene = paperScene(rng, 40, 0.1, 0);
         cv::gmlpnp::Params params;
         params.method = cv::gmlpnp::SOLVEPNP_GMLPNP;
@@ -72,13 +71,10 @@ TEST(Gmlpnp_PoseCovariance, knownNoiseIsCovered)
         params.objectNoise = Sigma;
         cv::gmlpnp::Result result;
         ASSERT_TRUE(cv::gmlpnp::solveRays(scene.objectPoints, scene.rays, result, params));
-        const double nees = mahalanobis2(scene.truth, poseOf(result), result.poseCovariance);
-        sum += nees;
-        inside += nees < 12.592;  // 95 % quantile
+        consistency.add(mahalanobis2(scene.truth, poseOf(result), result.poseCovariance));
     }
-    // Mean 6, variance 12: +-4 standard errors. Share 0.95: +-4 binomial standard errors.
-    EXPECT_NEAR(sum / trials, 6, 4 * std::sqrt(12. / trials));
-    EXPECT_NEAR(inside / double(trials), 0.95, 4 * std::sqrt(0.95 * 0.05 / trials));
+    EXPECT_TRUE(withinSigma(consistency.mean(), 6, consistency.deviation()));
+    EXPECT_TRUE(shareWithin(consistency.inside(), consistency.trials(), 0.95, 0.95));
 }
 
 }  // namespace

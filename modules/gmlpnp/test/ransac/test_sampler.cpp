@@ -6,13 +6,14 @@
 
 #include "../../src/ransac/sampler.hpp"
 #include "../scenes.hpp"
+#include "../statistics.hpp"
 
 namespace opencv_test {
 namespace {
 
 using namespace cv::gmlpnp::detail;
 
-TEST(Gmlpnp_Ransac, samplesAreDistinctAndEquallyLikely)
+TEST(Gmlpnp_RansacStatistics, samplesAreDistinctAndEquallyLikely)
 {
     constexpr int N = 7, DRAWS = 70000;
     Sampler sampler(N, 1, false, DRAWS);
@@ -25,9 +26,8 @@ TEST(Gmlpnp_Ransac, samplesAreDistinctAndEquallyLikely)
             ++count[i];
         }
     }
-    const double expected = 3. * DRAWS / N, deviation = std::sqrt(DRAWS * (3. / N) * (1 - 3. / N));
     for (const int c : count)
-        EXPECT_NEAR(expected, c, 4 * deviation);
+        EXPECT_TRUE(shareWithin(c, DRAWS, 3. / N, 3. / N));
 }
 
 TEST(Gmlpnp_Ransac, samplesDependOnTheSeedAlone)

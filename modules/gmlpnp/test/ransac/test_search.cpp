@@ -5,6 +5,7 @@
 #include "../test_precomp.hpp"
 
 #include "../../src/ransac/search.hpp"
+#include "../statistics.hpp"
 #include "matching_problem.hpp"
 
 namespace opencv_test {
@@ -12,10 +13,10 @@ namespace {
 
 using namespace matching;
 
-TEST(Gmlpnp_Ransac, orderSavesSamples)
+TEST(Gmlpnp_RansacStatistics, orderSavesSamples)
 {
     cv::RNG rng = testRng();
-    int uniform = 0, ordered = 0;
+    RatioOfMeans ratio;
     for (int trial = 0; trial < 20; ++trial) {
         const MatchingProblem problem(rng, 300, 0.85);  // the wrong ones come last
         RansacOptions options{0.99, 10000, static_cast<uint64>(trial), false, 1e-3, std::nullopt};
@@ -24,28 +25,29 @@ TEST(Gmlpnp_Ransac, orderSavesSamples)
         const auto b = findConsensus(problem.data, problem.metrics, options);
         ASSERT_TRUE(a && b);
         EXPECT_TRUE(poseNear(b->pose, problem.scene.truth, 0.02, 0.1));
-        uniform += a->iterations;
-        ordered += b->iterations;
+        ratio.add(b->iterations, a->iterations);
     }
-    EXPECT_LT(10 * ordered, uniform);
+    EXPECT_TRUE(atMost(ratio.value(), 0.05, ratio.deviation()));
 }
 
-TEST(Gmlpnp_Ransac, confidenceIsKept)
+TEST(Gmlpnp_RansacStatistics, confidenceIsKept)
 {
     // Of 80 % wrong correspondences a sample of three is clean with .008; 99 % of the searches must end right.
     cv::RNG rng = testRng();
-    int right = 0, iterations = 0;
-    constexpr int TRIALS = 300;
+    int right = 0;
+    Mean iterations;
+    constexpr int TRIALS = 600;
     for (int trial = 0; trial < TRIALS; ++trial) {
         const MatchingProblem problem(rng, 200, 0.8);
         const auto found =
             findConsensus(problem.data, problem.metrics, {0.99, 10000, static_cast<uint64>(trial), false, 1e-3, {}});
         ASSERT_TRUE(found);
         right += bool(poseNear(found->pose, problem.scene.truth, 0.05, 0.3));
-        iterations += found->iterations;
+        iterations.add(found->iterations);
     }
-    EXPECT_GE(right, 290);                // 297 expected, with a standard deviation of 1.7
-    EXPECT_LT(iterations, TRIALS * 900);  // one in five clean samples may lead nowhere: 720 are asked for
+    EXPECT_TRUE(shareAtLeast(right, TRIALS, 0.99));
+    // One in five clean samples may lead nowhere: 720 are asked for.
+    EXPECT_TRUE(atMost(iterations.value(), 720, iterations.deviation()));
 }
 
 }  // namespace
