@@ -86,7 +86,8 @@ TEST_P(Gmlpnp_TailsStatistics, informationIsThatOfTheDraws)
     EXPECT_TRUE(withinSigma(noise.value(), tailInformation(tails).noise, noise.deviation()));
 }
 
-// In turn with the noise, from that of a Gaussian with the same mean square, which is too large for most points.
+// In turn with the noise, from that of a Gaussian with the same mean square, which is too large for most points. The
+// share is a mean over steps of 2^(1/4), so with many points it may come out one step off, and the noise with it.
 TEST_P(Gmlpnp_TailsStatistics, findsTheShareAndTheNoiseOfTheOthers)
 {
     constexpr int N = 20000;
@@ -105,11 +106,12 @@ TEST_P(Gmlpnp_TailsStatistics, findsTheShareAndTheNoiseOfTheOthers)
         noise.Sigma *= wc / (2 * N);
         search.update(noise, now.data(), sumsOf(now));
     }
-    EXPECT_NEAR(noise.tails.share, share, 0.1 * share);
-    EXPECT_NEAR(noise.Sigma(0, 0), 1, 0.03);
+    constexpr double ONE_STEP = 0.19, ITS_NOISE = 0.06;
+    EXPECT_NEAR(noise.tails.share, share, ONE_STEP * share);
+    EXPECT_NEAR(noise.Sigma(0, 0), 1, ITS_NOISE);
     Noise known{Matrix3d::Identity(), Matrix3d::Identity(), {}};
     TailSearch(true, N).update(known, c.data(), sumsOf(c));
-    EXPECT_NEAR(known.tails.share, share, 0.1 * share);
+    EXPECT_NEAR(known.tails.share, share, ONE_STEP * share);
     EXPECT_EQ(known.Sigma, Matrix3d::Identity());
 }
 

@@ -46,8 +46,9 @@ TEST(Gmlpnp_RansacStatistics, confidenceIsKept)
         iterations.add(found->iterations);
     }
     EXPECT_TRUE(shareAtLeast(right, TRIALS, 0.99));
-    // One in five clean samples may lead nowhere: 720 are asked for.
-    EXPECT_TRUE(atMost(iterations.value(), 720, iterations.deviation()));
+    // One in five clean samples may lead nowhere: 720 are asked for where the best pose has all inliers, more where
+    // not.
+    EXPECT_TRUE(atMost(iterations.value(), 900, iterations.deviation()));
 }
 
 }  // namespace
