@@ -280,6 +280,19 @@ def _borrow(lender: header.Function, borrower: header.Function) -> header.Functi
     )
 
 
+def _meanings(text: str, declared: header.Header) -> List[str]:
+    """What the constants mean where a field is one of them: integers of Python have no docstring."""
+    found = re.match("one of #(\\w+)", text, re.IGNORECASE)
+    if found is None:
+        return []
+    enum = found[1]
+    constants = [
+        _fill("%s: %s" % (name, _stopped(in_python(meaning, declared.enums))), "", " " * 4)
+        for name, meaning in declared.enums[enum].items()
+    ]
+    return paragraphs(enum, declared.texts[enum], declared.enums) + ["\n".join(constants)]
+
+
 def docstrings(declared: header.Header) -> Dict[str, str]:
     """A docstring for each name: functions, methods, structs, classes, fields, constants and namespaces."""
     texts = {}
@@ -302,7 +315,7 @@ def docstrings(declared: header.Header) -> Dict[str, str]:
             words = in_python(text, declared.enums)
             for pattern, replacement in MATRIX_WORDS if type_ == "Mat" else ():
                 words = re.sub(pattern, replacement, words)
-            texts["%s.%s" % (struct, field)] = _fill(_sentence(words))
+            texts["%s.%s" % (struct, field)] = "\n\n".join([_fill(_sentence(words))] + _meanings(text, declared))
     for constants in declared.enums.values():
         for constant, text in constants.items():
             texts[constant] = _fill(_sentence(in_python(text, declared.enums)))

@@ -183,6 +183,15 @@ class Docstrings(unittest.TestCase):
             start = " ".join(words(text.split(",")[0]))
             self.assertIn(start.lower(), " ".join(words(texts[name])).lower(), name)
 
+    def test_fields_say_what_their_constants_mean(self):
+        for field, text in (
+            (gmlpnp.Result.status, "\n\nThe outcome of a call. Converged and max rounds are successes"),
+            (gmlpnp.Result.status, "\nSTATUS_NO_CONSENSUS: RANSAC: no pose has more inliers"),
+            (gmlpnp.Result.noiseModel, "\nNOISE_OBJECT: the object points alone are noisy."),
+            (gmlpnp.Params.method, "\nSOLVEPNP_GMLPNP: Algorithm 1 of the paper"),
+        ):
+            self.assertIn(text, field.__doc__)
+
     def test_outputs_of_cpp_are_returns(self):
         returns = gmlpnp.solveRansac.__doc__.partition("Returns:\n")[2]
         self.assertRegex(returns, r"^    retval: True with a finite pose")
