@@ -18,6 +18,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.environ.get("GMLPNP_ROOT", os.path.join(HERE, "..", ".."))
 GENERATE = os.path.join(ROOT, "python", "generate")
 HEADERS = os.path.join(ROOT, "modules", "gmlpnp", "include", "opencv2")
+# Drawing needs opencv_imgproc.
+TYPED = [os.path.join(HERE, "typed_use.py")]
+if hasattr(gmlpnp, "drawPoseUncertainty"):
+    TYPED.append(os.path.join(HERE, "typed_draw.py"))
 HAS_MYPY = importlib.util.find_spec("mypy") is not None
 
 
@@ -47,6 +51,13 @@ def functions_in(body, scope):
 def all_functions():
     yield from functions_in(stub("__init__.pyi").body, gmlpnp)
     yield from functions_in(stub("fisheye.pyi").body, gmlpnp.fisheye)
+
+
+def dotted(node):
+    """An expression like "gmlpnp.fisheye.solvePnP" as text; empty where it is another."""
+    if isinstance(node, ast.Attribute):
+        return "%s.%s" % (dotted(node.value), node.attr)
+    return node.id if isinstance(node, ast.Name) else ""
 
 
 def signature_of(node):
@@ -108,6 +119,20 @@ class Stubs(unittest.TestCase):
             if isinstance(node, ast.ClassDef):
                 self.assertEqual(ast.get_docstring(node), inspect.getdoc(getattr(gmlpnp, node.name)), node.name)
 
+    def test_each_function_has_its_types_checked(self):
+        """Each of them stands where mypy compares its type with the type that users rely on."""
+        used = set()
+        for path in TYPED:
+            with open(path, encoding="utf-8") as file:
+                used.update(dotted(node) for node in ast.walk(ast.parse(file.read())))
+        for module in (gmlpnp, gmlpnp.fisheye):
+            for name in module.__all__:
+                if callable(getattr(module, name)):
+                    self.assertIn("%s.%s" % (module.__name__, name), used)
+        for name in vars(gmlpnp.CameraModel):
+            if not name.startswith("_"):
+                self.assertTrue({"camera." + name, "gmlpnp.CameraModel." + name} & used, name)
+
     @unittest.skipUnless(HAS_MYPY, "mypy is not installed")
     def test_mypy_finds_them_consistent_with_the_module(self):
         # Classes of pybind11 have a metaclass of their own, and one without a constructor raises in its __init__.
@@ -122,7 +147,7 @@ class Stubs(unittest.TestCase):
     @unittest.skipIf(sys.version_info < (3, 11), "typing.assert_type is new in Python 3.11")
     def test_mypy_sees_the_types_that_users_rely_on(self):
         with tempfile.TemporaryDirectory() as folder:
-            self.mypy(folder, "mypy", "--strict", "--cache-dir", folder, os.path.join(HERE, "typed_use.py"))
+            self.mypy(folder, "mypy", "--strict", "--cache-dir", folder, *TYPED)
 
     def mypy(self, folder, *arguments):
         environment = dict(os.environ, MYPYPATH=os.path.dirname(FOLDER), PYTHONPATH=os.path.dirname(FOLDER))
