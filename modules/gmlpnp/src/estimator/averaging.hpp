@@ -29,7 +29,7 @@ struct KindFit
 class KindFits
 {
 public:
-    void add(const KindFit& fit) { fits_[count_++] = fit; }
+    KindFit& add(const KindFit& fit) { return fits_[count_++] = fit; }
     int size() const { return count_; }
     const KindFit& operator[](int k) const { return fits_[k]; }
     const KindFit* begin() const { return fits_.data(); }

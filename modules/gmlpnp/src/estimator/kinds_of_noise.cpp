@@ -76,12 +76,13 @@ struct KindStart
 // anisotropy would look like them.
 Estimate fitKind(const Correspondences& data, const KindStart& start, FitOptions options)
 {
-    const Estimate found = alternate(data, start.pose, start.noise, options);
-    if (!noiseSwallowedTheObject(data, start.isotropicPose, found))
-        return found;
-    options.tails = false;
-    return alternate(data, start.isotropicPose, {start.isotropicNoise, NoiseKind::ISOTROPIC, start.noise.otherKnown},
-                     options);
+    Estimate found = alternate(data, start.pose, start.noise, options);
+    if (noiseSwallowedTheObject(data, start.isotropicPose, found)) {
+        options.tails = false;
+        found = alternate(data, start.isotropicPose,
+                          {start.isotropicNoise, NoiseKind::ISOTROPIC, start.noise.otherKnown}, options);
+    }
+    return found;
 }
 
 // A kind of noise as isotropic residuals rate it.
@@ -149,9 +150,9 @@ KindFits fitKinds(const Correspondences& data, const Pose& start, const FitOptio
         const Noise noise = before ? inShapeOf(*before, split.meanDepth2, kind.isotropic) : unshaped;
         FitOptions fitting = options;
         fitting.sums = plausible.count > 1 ? SumsNeeded::COMPARABLE : SumsNeeded::ROUGH;
-        Estimate found = fitKind(data, {before ? before->pose : start, {noise, kind.kind}, start, unshaped}, fitting);
-        found.evidence = plausible.evidence;
-        fits.add({found, penaltyOf(kind.kind), kind.prior});
+        const KindStart from = {before ? before->pose : start, {noise, kind.kind}, start, unshaped};
+        KindFit& fit = fits.add({fitKind(data, from, fitting), penaltyOf(kind.kind), kind.prior});
+        fit.estimate.evidence = plausible.evidence;
     }
     return fits;
 }
