@@ -6,6 +6,7 @@
 
 #include "../arrays/eigen.hpp"
 #include "../arrays/inputs.hpp"
+#include "../math/limits.hpp"
 #include "../math/spd3.hpp"
 #include "options.hpp"
 
@@ -25,9 +26,8 @@ namespace detail {
 bool isCovariance(const Matrix3d& given)
 {
     constexpr double ROUNDING = 1e-6;  // relative; covariances often come in single precision
-    constexpr double LARGEST = 1e60;
     const double largest = given.cwiseAbs().maxCoeff();
-    if (!given.allFinite() || largest > LARGEST)
+    if (!given.allFinite() || largest > LARGEST_COVARIANCE)
         return false;
     if (largest == 0)
         return true;
@@ -43,8 +43,7 @@ bool isZero(const Mat& m)
 
 bool finiteGuess(const Params& params)
 {
-    constexpr double LARGEST = 1e100;
-    const auto fine = [](const Vec3d& v) { return toEigen(v).allFinite() && norm(v, NORM_INF) <= LARGEST; };
+    const auto fine = [](const Vec3d& v) { return toEigen(v).allFinite() && norm(v, NORM_INF) <= LARGEST_LENGTH; };
     return !params.useExtrinsicGuess || (fine(params.rvec) && fine(params.tvec));
 }
 

@@ -5,6 +5,7 @@
 #include "../precomp.hpp"
 
 #include "../kernels/dispatch.hpp"
+#include "../math/limits.hpp"
 #include "correspondences.hpp"
 
 namespace cv {
@@ -174,18 +175,15 @@ Matrix3d Correspondences::knownAt(int i, int first) const
 
 bool Correspondences::finite() const
 {
-    // Sums of squares are finite for anything below 1e150 and not for NaN and infinity; covariances need room as well.
-    constexpr double LARGEST = 1e100;
-    return scale < LARGEST && std::isfinite(sums_.ray2) && std::isfinite(sums_.inverse2);
+    return scale < LARGEST_LENGTH && std::isfinite(sums_.ray2) && std::isfinite(sums_.inverse2);
 }
 
 bool Correspondences::degenerate() const
 {
-    constexpr double SMALLEST = 1e-100;  // of covariances below nothing would be left
-    if (!(scale > SMALLEST))
+    if (!(scale > SMALLEST_LENGTH))
         return true;
     const Vector3d spread = Eigen3d(symmetric(sums_.scatter), Eigen::EigenvaluesOnly).eigenvalues();
-    // Rounding of coordinates far from the origin looks like spread too.
+    // The rounding of coordinates far from the origin looks like spread, too.
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * centre.norm() / scale;
     const double line = std::max(COLLINEAR, rounding);
     return spread(1) <= line * line * spread(2) || sums_.apart2 <= PARALLEL * PARALLEL;
