@@ -21,6 +21,8 @@ struct Lens
 
 std::vector<Lens> everyLens();
 
+void PrintTo(const Lens& lens, std::ostream* os);
+
 String lensName(const testing::TestParamInfo<Lens>& info);
 
 class Gmlpnp_Camera : public testing::TestWithParam<Lens>
